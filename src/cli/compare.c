@@ -224,7 +224,7 @@ static const cli_option options[] = {{"bin", "DEGREES",
                                      {.name = NULL}};
 
 static const char detail[] =
-    "IMPACTS is the output of 'asperity cor' or the ledger of a wall (CSV or .npy). Alone, they "
+    "IMPACTS is the output of 'asperity cor' or the ledger of a wall. Alone, they "
     "are tabled and drawn for each place (an impact\n"
     "angle, or an interval of angles): model_n and model_mean of the rows 'deposits' are the\n"
     "number of impacts and the share that sticks.\n" MEASURED_FORMS "\n"
@@ -243,7 +243,7 @@ const cli_command cli_compare = {
     .detail = detail,
     .examples =
         "  $ asperity compare cor.csv examples/data/grant_tabakoff_1975.csv --plot compare.png\n"
-        "  $ asperity compare impacts.npy\n",
+        "  $ asperity compare impacts.csv\n",
     .options = options,
     .picture = "draw the comparison; .png, .svg or .pdf",
     .takes_files = true,

@@ -171,7 +171,7 @@ static const cli_option options[] = {
     {.name = NULL}};
 
 static const char detail[] =
-    "LEDGER is the ledger of a wall (CSV, .npy). The output has a row per triangle that was hit, a "
+    "LEDGER is the ledger of a wall. The output has a row per triangle that was hit, a "
     "row per mesh\n"
     "(triangle `all`), and one for all meshes; a primitive wall is mesh 0. Without a\n"
     "description the command adds up the ledger's column eroded_mass; a wall with `erosion`\n"
@@ -186,7 +186,7 @@ const cli_command cli_erosion = {
     .summary = "the mass that the impacts of a ledger wore off the wall, per triangle",
     .detail = detail,
     .examples = "  $ asperity erosion impacts.csv -o eroded.csv\n"
-                "  $ asperity erosion impacts.npy erosion oka 1.8GPa density 7850kg/m3 "
+                "  $ asperity erosion impacts.csv erosion oka 1.8GPa density 7850kg/m3 "
                 "--density 2650kg/m3\n",
     .options = options,
     .picture = "draw the mass worn off each triangle; .png, .svg or .pdf",

@@ -4,11 +4,9 @@
 #include "cli/scatter.h"
 #include "base/csv.h"
 #include "base/error.h"
-#include "base/file.h"
 #include "base/ledger_columns.h"
 #include "cli/cli.h"
 #include "cli/measured.h"
-#include "analysis/npy.h"
 
 #include <limits.h>
 #include <math.h>
@@ -175,54 +173,11 @@ static asp_code read_csv_rows(file *f, aspi_csv *csv, asp_error *error) {
   return code;
 }
 
-static asp_code read_array_row(file *f, const aspi_npy *array, asp_error *error) {
-  for (int k = 0; k < IMPACT_COLUMNS; k++) {
-    double value = f->of[k] = aspi_npy_value(array, f->at[k]);
-    if (!(value >= columns[k].least && value <= columns[k].most) &&
-        !(may_lack(f, k) && isnan(value)))
-      return aspi_fail(error, ASP_EDATA, "%s: row %llu: %s is %g; it must be %g to %g", array->path,
-                       array->row, name_of(k), value, columns[k].least, columns[k].most);
-  }
-  f->of[IMPACT_OUTCOME] =
-      f->at[IMPACT_OUTCOME] < 0 ? !(f->of[IMPACT_COR_N] > 0) : fabs(f->of[IMPACT_OUTCOME]) > 0;
-  return take_row(f, error);
-}
-
-static asp_code read_array(file *f, FILE *stream, asp_error *error) {
-  aspi_npy array;
-  asp_code code = aspi_npy_open(&array, stream, f->to->path, error);
-  if (code)
-    return code;
-  for (int k = 0; k < IMPACT_COLUMNS; k++)
-    f->at[k] = aspi_npy_find(&array, name_of(k));
-  int missing = find_missing(f);
-  if (missing >= 0)
-    return aspi_fail(error, ASP_EDATA, "%s: column '%s' is missing%s", f->to->path,
-                     name_of(missing), cure_of(missing));
-  snprintf(f->to->comment, sizeof f->to->comment, "%s", array.title);
-  code = read_units(f, false, error);
-  for (bool found; !code;)
-    if ((code = aspi_npy_next(&array, &found, error)) || !found ||
-        (code = read_array_row(f, &array, error)))
-      return code;
-  return code;
-}
-
 static asp_code read_file(file *f, asp_error *error) {
-  const char *path = f->to->path;
-  FILE *stream = aspi_file_open(path, error);
-  if (!stream)
-    return error->code;
-  asp_code code;
-  if (aspi_npy_is(stream)) {
-    code = read_array(f, stream, error);
-    fclose(stream);
-    return code;
-  }
-  aspi_csv *csv = aspi_csv_create(stream, path, error);
+  aspi_csv *csv = aspi_csv_open(f->to->path, error);
   if (!csv)
     return error->code;
-  code = read_csv_rows(f, csv, error);
+  asp_code code = read_csv_rows(f, csv, error);
   aspi_csv_close(csv);
   return code;
 }

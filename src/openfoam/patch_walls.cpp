@@ -32,10 +32,9 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
       sums_(mesh_.boundaryMesh().nNonProcessor() * N_SUMS, Zero), sums_before_(sums_) {
   const dictionary &coeffs = model.coeffDict();
   for (const word &name : coeffs.toc()) /* U is one of OpenFOAM's own */
-    if (!wordList({"walls", "dMin", "dMax", "ledger", "fullLedger", "ledgerFormat", "U"})
-             .found(name))
-      fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger, " +
-                       "fullLedger and ledgerFormat");
+    if (!wordList({"walls", "dMin", "dMax", "ledger", "fullLedger", "U"}).found(name))
+      fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger " +
+                       "and fullLedger");
   const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0), coeffs.getOrDefault<scalar>("dMax", 0),
                     density, has_temperature, mesh_.nSolutionD() < 3};
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
@@ -51,15 +50,11 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
   for (scalar &sum : sums_before_)
     sums >> sum;
   const fileName folder = mesh_.time().globalPath() / "postProcessing/lagrangian" / cloud;
-  const word format = coeffs.getOrDefault<word>("ledgerFormat", "csv");
-  if (format != "csv" && format != "npy")
-    fail(coeffs, "ledgerFormat is '" + format + "'; it must be csv or npy");
-  is_array_ = format == "npy";
   for (const auto &wall : walls_) {
     if (wall->worn_density > 0 && !eroded_)
       eroded_ = field<scalar>(cloud + ":erodedDepth", dimLength);
     if (every_ > 0 && Pstream::master())
-      open_ledger(*wall, folder / "asperityWall" / wall->name + "." + format,
+      open_ledger(*wall, folder / "asperityWall" / wall->name + ".csv",
                   model.getModelProperty<string>(wall->name, ""));
   }
   fesetenv(&traps);
@@ -177,7 +172,7 @@ template <class Item> static std::vector<Item> gather(const std::vector<Item> &m
 void PatchWalls::flush(PatchWall &wall) const {
   PrintedRows mine;
   for (const LedgerRow &row : wall.rows)
-    mine.add(row, columns_, is_array_);
+    mine.add(row, columns_);
   wall.rows.clear();
   const PrintedRows all = {gather(mine.keys), gather(mine.bytes)};
   const std::string why = wall.file ? all.commit(*wall.file) : "";

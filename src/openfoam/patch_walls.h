@@ -101,7 +101,6 @@ private:
   const Gas gas_;
   const Foam::label every_; /* time steps between writes of the ledgers; 0: there are none */
   const int columns_;
-  bool is_array_; /* the ledgers are in NumPy's format */
   std::vector<std::unique_ptr<PatchWall>> walls_;
   std::vector<PatchWall *> of_patch_;
   Foam::scalarList sums_, sums_before_; /* of this rank, in this run; of all, before a restart */

@@ -4,17 +4,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 
-# The flat plate as it comes, rough: with its ledger as CSV and as an array, and without.
+# The flat plate as it comes, rough: with its ledger and without.
 mkdir output
 awk -f "$home/examples/flat_plate/make_plate.awk" > output/plate.stl
 awk -f "$home/examples/flat_plate/make_jet.awk" > output/jet.data
 sed 's/^run /modify_timing on\nrun /' "$home/examples/flat_plate/in.flat_plate" > csv.in
-sed 's/\.csv$/.npy/' csv.in > npy.in
 sed 's/ ledger 2000.*//' csv.in > quiet.in
 rough=(-var name plate -var surface "rq 15.6e-6 lambda_c 120e-6")
 for round in 1 2 3; do
   for ranks in 2 1; do
-    for deck in csv npy quiet; do
+    for deck in csv quiet; do
       begun=$(date +%s.%N)
       engine $ranks $deck.in "${rough[@]}"
       calc "$(date +%s.%N) - $begun" >> $deck.$ranks.whole
@@ -36,10 +35,8 @@ if command -v valgrind > /dev/null; then
   row "flat plate: the fix, ledger and all, of the instructions of a step" "$(cut -d ' ' -f 1 counted)" "%" "<=" 5
   row "... printing the ledger" "$(cut -d ' ' -f 2 counted)" "%"
 fi
-for deck in csv npy; do
-  for ranks in 2 1; do
-    row "flat plate: the ledger as $deck, every impact, of the loop, $ranks rank(s)" "$(calc "100 * ($(of $deck.$ranks.fix) - $(of quiet.$ranks.fix)) / $(of $deck.$ranks.loop)")" "%" "<=" 10
-  done
+for ranks in 2 1; do
+  row "flat plate: the ledger, every impact, of the loop, $ranks rank(s)" "$(calc "100 * ($(of csv.$ranks.fix) - $(of quiet.$ranks.fix)) / $(of csv.$ranks.loop)")" "%" "<=" 10
 done
 row "flat plate: two ranks over one: the loop" "$(calc "$(of csv.1.loop) / $(of csv.2.loop)")" "x"
 row "... the fix" "$(calc "$(of csv.1.fix) / $(of csv.2.fix)")" "x"
@@ -47,18 +44,12 @@ row "... the fix" "$(calc "$(of csv.1.fix) / $(of csv.2.fix)")" "x"
 # A ledger of 10^6 rows in `asperity compare`.
 { head -n 2 output/plate.csv; for k in {1..50}; do tail -n +3 output/plate.csv; done; } > million.csv
 rows=$(($(wc -l < million.csv) - 2))
-head -c 2048 output/plate.npy | sed "s/'shape': ([0-9]*,), }\( *\) \{2\}/'shape': ($rows,), }\1/" > million.npy
-for k in {1..50}; do tail -c +2049 output/plate.npy; done >> million.npy
+TIMEFORMAT=%U
 for round in 1 2 3; do
-  for form in csv npy; do
-    TIMEFORMAT=%U
-    { time "$bin/asperity" compare million.$form "$home/examples/data/grant_tabakoff_1975.csv" > million.$form.out 2> /dev/null; } 2>> $form.compare
-  done
+  { time "$bin/asperity" compare million.csv "$home/examples/data/grant_tabakoff_1975.csv" > million.out 2> /dev/null; } 2>> compare
 done
-for form in csv npy; do
-  row "ledger as $form: bytes an impact" "$(calc "$(stat -c %s million.$form) / $rows")" "B"
-  row "... asperity compare, 10^8 rows, from $rows" "$(calc "1e8 / $rows * $(of $form.compare)")" "s"
-done
+row "ledger: bytes an impact" "$(calc "$(stat -c %s million.csv) / $rows")" "B"
+row "... asperity compare, 10^8 rows, from $rows" "$(calc "1e8 / $rows * $(of compare)")" "s"
 
 # 20 000 grains of 10 um at 100 m/s on a plate for 60 us: rebound with its step, and hertz with a tenth of the
 # Rayleigh time.

@@ -40,7 +40,7 @@ while read -r form; do
   "$bin/asperity" cor surface $form $pair --dp 10um --angles 5,40,80 --samples 50 --columns ledger -o command.$number.csv 2> err || die "cor surface $form: $(cat err)"
   deck "surface $form $pair" liggghts.$number.csv > run.in
   engine 1 run.in
-  deck "surface $form $pair" lammps.$number.npy > run.in
+  deck "surface $form $pair" lammps.$number.csv > run.in
   (use lammps; engine 1 run.in)
 done < forms
 
@@ -65,7 +65,7 @@ for number, form in enumerate(forms, 1):
     wall = asperity.Wall(f"surface {form} {pair}", 1e-5, name="low")
     np.testing.assert_allclose([wall.get("rq"), wall.get("lambda_c")], [5e-6, 40e-6], 1e-12, err_msg=form)
     command = asperity.read(f"command.{number}.csv")
-    liggghts, lammps = asperity.read(f"liggghts.{number}.csv"), asperity.read(f"lammps.{number}.npy")
+    liggghts, lammps = asperity.read(f"liggghts.{number}.csv"), asperity.read(f"lammps.{number}.csv")
     assert len(command) == 150 and len(liggghts) == 200, form
     for table in command, liggghts, lammps:
         np.testing.assert_allclose(words(table), (5e-6, 40e-6), 1e-5, err_msg=asperity.heading(table))

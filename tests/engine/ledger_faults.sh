@@ -30,48 +30,43 @@ says() { # FILE KIND WORD...
   line=$(grep -a "$1" "$file") || { cat "$file"; die "no $1"; }; shift
   for word in "$@"; do grep -qF -- "$word" <<< "$line" || die "'$word' is not in: $line"; done
 }
-count_array() { head -c 2048 "$1" | grep -aoE "'shape': \([0-9]+" | grep -oE '[0-9]+'; }
 
-for kind in csv npy; do
-  set_() { local options=(-var kind $kind -var out rows.$kind); "$@" "${options[@]}"; }
-  set_ engine 2 whole.in
-  cp rows.$kind whole.$kind
+set_() { local options=(-var kind csv -var out rows.csv); "$@" "${options[@]}"; }
+set_ engine 2 whole.in
+cp rows.csv whole.csv
 
-  # Rows too many, and a part of one.
-  bytes=100; [ $kind = npy ] && bytes=50
-  { cat whole.$kind; head -c $bytes whole.$kind; } > rows.$kind
-  set_ engine 2 rest.in
-  same rows.$kind whole.$kind "after too many rows"
-  says rest.in.screen 'cut off' "ledger file 'rows.$kind' continues after the " " rows and a part of a row after them cut off"
-  kept=$(grep -oE 'after the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
-  all=$([ $kind = csv ] && count_rows whole.csv || count_array whole.npy)
-  [ $((kept + cut)) = "$all" ] && [ "$cut" -gt 20 ] || die "$kept rows kept and $cut cut off of $all"
+# Rows too many, and a part of one.
+{ cat whole.csv; head -c 100 whole.csv; } > rows.csv
+set_ engine 2 rest.in
+same rows.csv whole.csv "after too many rows"
+says rest.in.screen 'cut off' "ledger file 'rows.csv' continues after the " " rows and a part of a row after them cut off"
+kept=$(grep -oE 'after the [0-9]+' rest.in.screen | grep -oE '[0-9]+'); cut=$(grep -oE '[0-9]+ rows and a part' rest.in.screen | grep -oE '^[0-9]+')
+all=$(count_rows whole.csv)
+[ $((kept + cut)) = "$all" ] && [ "$cut" -gt 20 ] || die "$kept rows kept and $cut cut off of $all"
 
-  # Rows that are missing, other rows, no file; what is there stays. A file of another name begins anew.
-  row=150; [ $kind = npy ] && row=88
-  head -c $((kept / 2 * row)) whole.$kind > rows.$kind; cp rows.$kind before
-  ranks=2 set_ refuses rest.in "'rows.$kind' has " "rows, and the restart file counts $kept: " "are missing" --
-  same rows.$kind before "a file that was refused"
-  found=$(grep -oE "has [0-9]+ rows" screen | grep -oE '[0-9]+'); missing=$(grep -oE "[0-9]+ are missing" screen | grep -oE '^[0-9]+')
-  [ $((found + missing)) = "$kept" ] && [ "$found" -gt 20 ] || die "$found found, $missing missing, $kept wanted"
-  [ $kind = npy ] || [ "$found" = "$(count_rows rows.csv | awk '{ print $1 - 1 }')" ] || [ "$found" = "$(count_rows rows.csv)" ] || die "$found rows are said to be there"
-  at=$(stat -c %s whole.$kind); at=$((at * kept / all - 300))
-  { head -c $at whole.$kind; printf '9'; tail -c +$((at + 2)) whole.$kind; } > rows.$kind; cp rows.$kind before
-  set_ refuses rest.in "'rows.$kind' is not that of the restart file" --
-  same rows.$kind before "a file that was refused"
-  rm rows.$kind
-  set_ refuses rest.in "'rows.$kind' is gone, and the restart file counts $kept rows" --
-  [ ! -e rows.$kind ] || die "rows.$kind was made by a run that was refused"
-  rm -f new.$kind
-  engine 1 rest.in -var kind $kind -var out new.$kind
-  says rest.in.screen 'begins here' "'new.$kind' begins here" "$kept rows of 'rows.$kind'"
-  [ "$([ $kind = csv ] && count_rows new.csv || count_array new.npy)" = "$cut" ] || die "a new ledger has other rows"
+# Rows that are missing, other rows, no file; what is there stays. A file of another name begins anew.
+head -c $((kept / 2 * 150)) whole.csv > rows.csv; cp rows.csv before
+ranks=2 set_ refuses rest.in "'rows.csv' has " "rows, and the restart file counts $kept: " "are missing" --
+same rows.csv before "a file that was refused"
+found=$(grep -oE "has [0-9]+ rows" screen | grep -oE '[0-9]+'); missing=$(grep -oE "[0-9]+ are missing" screen | grep -oE '^[0-9]+')
+[ $((found + missing)) = "$kept" ] && [ "$found" -gt 20 ] || die "$found found, $missing missing, $kept wanted"
+[ "$found" = "$(count_rows rows.csv | awk '{ print $1 - 1 }')" ] || [ "$found" = "$(count_rows rows.csv)" ] || die "$found rows are said to be there"
+at=$(stat -c %s whole.csv); at=$((at * kept / all - 300))
+{ head -c $at whole.csv; printf '9'; tail -c +$((at + 2)) whole.csv; } > rows.csv; cp rows.csv before
+set_ refuses rest.in "'rows.csv' is not that of the restart file" --
+same rows.csv before "a file that was refused"
+rm rows.csv
+set_ refuses rest.in "'rows.csv' is gone, and the restart file counts $kept rows" --
+[ ! -e rows.csv ] || die "rows.csv was made by a run that was refused"
+rm -f new.csv
+engine 1 rest.in -var kind csv -var out new.csv
+says rest.in.screen 'begins here' "'new.csv' begins here" "$kept rows of 'rows.csv'"
+[ "$(count_rows new.csv)" = "$cut" ] || die "a new ledger has other rows"
 
-  # A new run writes over an old file.
-  { echo old; cat whole.$kind; } > rows.$kind
-  set_ engine 1 whole.in
-  same rows.$kind whole.$kind "a new run"
-done
+# A new run writes over an old file.
+{ echo old; cat whole.csv; } > rows.csv
+set_ engine 1 whole.in
+same rows.csv whole.csv "a new run"
 # A file whose columns are others.
 sed 's/,cor_n,/,cor_m,/' whole.csv > rows.csv
 refuses rest.in "not one to append to" -- -var kind csv -var out rows.csv
@@ -92,25 +87,22 @@ printf '#!/usr/bin/env bash\ntrap "" XFSZ; ulimit -f "$1"; shift; exec "$@"\n' >
 limited() { timeout 60 mpirun --mca btl self,tcp -np "$1" ./limit "$2" "$program" -in "$3" -log none "${@:4}" > screen 2>&1; }
 { head_ 'read_data grains.data'; echo "$wall ledger 20 file \${out} \${words}
 run 250"; } > full.in
-for kind in csv npy; do
-  for n in 1 2; do
-    engine 1 full.in -var out all.$kind -var words "on_error stop"
-    all=$([ $kind = csv ] && count_rows all.csv || count_array all.npy)
-    if limited $n 20 full.in -var out rows.$kind -var words "on_error stop"; then die "a full disk did not stop the run"; fi
-    says screen ERROR "rows.$kind" "File too large" "rows of the steps" "are lost"
-    head -c "$(stat -c %s rows.$kind)" all.$kind > part
-    [ $kind = npy ] || same part rows.csv "what a full disk has left"
-    first=$(stat -c %s rows.$kind); [ "$first" -gt 5000 ] || die "only $first bytes before the error"
-    limited $n 20 full.in -var out rows.$kind -var words "on_error go_on" || die "on_error go_on: $(cat screen)"
-    says screen WARNING "rows.$kind" "File too large"
-    [ "$(grep -c 'WARNING.*File too large' screen)" -ge 3 ] || die "windows without a warning"
-    lost=$(grep -oE '[0-9]+ rows of the steps' screen | awk '{ sum += $1 } END { print sum }')
-    written=$([ $kind = csv ] && count_rows rows.csv || count_array rows.npy)
-    [ $((written + lost)) = "$all" ] || die "$written rows written, $lost told as lost, $all in all"
-    grep -q " $lost in all" screen || die "the last warning does not have $lost in all"
-    [ $kind = csv ] || [ "$(stat -c %s rows.npy)" = $((2048 + 88 * written)) ] || die "the array has a part of a row"
-    [ $kind = npy ] || [ "$(tail -c 1 rows.csv | od -An -tx1 | tr -d ' ')" = 0a ] || die "the file has a part of a row"
-  done
+for n in 1 2; do
+  engine 1 full.in -var out all.csv -var words "on_error stop"
+  all=$(count_rows all.csv)
+  if limited $n 20 full.in -var out rows.csv -var words "on_error stop"; then die "a full disk did not stop the run"; fi
+  says screen ERROR "rows.csv" "File too large" "rows of the steps" "are lost"
+  head -c "$(stat -c %s rows.csv)" all.csv > part
+  same part rows.csv "what a full disk has left"
+  first=$(stat -c %s rows.csv); [ "$first" -gt 5000 ] || die "only $first bytes before the error"
+  limited $n 20 full.in -var out rows.csv -var words "on_error go_on" || die "on_error go_on: $(cat screen)"
+  says screen WARNING "rows.csv" "File too large"
+  [ "$(grep -c 'WARNING.*File too large' screen)" -ge 3 ] || die "windows without a warning"
+  lost=$(grep -oE '[0-9]+ rows of the steps' screen | awk '{ sum += $1 } END { print sum }')
+  written=$(count_rows rows.csv)
+  [ $((written + lost)) = "$all" ] || die "$written rows written, $lost told as lost, $all in all"
+  grep -q " $lost in all" screen || die "the last warning does not have $lost in all"
+  [ "$(tail -c 1 rows.csv | od -An -tx1 | tr -d ' ')" = 0a ] || die "the file has a part of a row"
 done
 ranks=2 refuses full.in "/dev/full" "it is not a regular file" -- -var out /dev/full -var words "on_error go_on"
 { head_ 'read_data grains.data'; echo "$wall ledger 20 file folder/rows.csv
@@ -120,6 +112,7 @@ shell rmdir folder
 run 150"; } > gone.in
 mkdir folder
 ranks=2 refuses gone.in "'folder/rows.csv' failed: it has been deleted" "rows of the steps 10"
+refuses full.in "'rows.npy'; ledgers are CSV, such as rows.csv" -- -var out rows.npy -var words "on_error stop"
 refuses full.in "/nowhere/rows.csv" "No such file" -- -var out /nowhere/rows.csv -var words "on_error go_on"
 refuses full.in "on_error is 'maybe'; it must be stop or go_on" -- -var out rows.csv -var words "on_error maybe"
 { head_ 'read_data grains.data'; echo "$wall ledger 20 on_error stop

@@ -57,8 +57,8 @@ foam() {
 run() { foam "$1" icoUncoupledKinematicParcelFoam "${2:-1}"; }
 mesh() { foam "$1" blockMesh; }
 
-# ledger DIR ENTRY [npy]: the name of a ledger. numbers DIR WORD PATCH: number and mass, the last ones of the log.
-ledger() { echo "$1/postProcessing/lagrangian/kinematicCloud/asperityWall/$2.${3:-csv}"; }
+# ledger DIR ENTRY: the name of a ledger. numbers DIR WORD PATCH: number and mass, the last ones of the log.
+ledger() { echo "$1/postProcessing/lagrangian/kinematicCloud/asperityWall/$2.csv"; }
 numbers() {
   awk -v word="$2" -v patch="$3" '/Parcel fate/ { here = $4 == patch } here && $2 == word { sub(/.*= /, ""); sub(",", ""); last = $0 }
     END { print last }' "$1/log.icoUncoupledKinematicParcelFoam"

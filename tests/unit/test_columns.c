@@ -13,9 +13,9 @@
 #include <string.h>
 #include <cmocka.h>
 
-#define COLUMN(ID, name, type, text) {name, type, text},
+#define COLUMN(ID, name, type, text) {name, text},
 static const struct {
-  const char *name, *type, *text;
+  const char *name, *text;
 } columns[] = {LEDGER_COLUMNS(COLUMN) LEDGER_MORE_COLUMNS(COLUMN)};
 
 /* Each row in a form of its own: Markdown, or a table of comma-separated values. */
@@ -31,11 +31,11 @@ static void has_rows(const char *variable, const char *heading, bool markdown) {
   assert_non_null(fgets(line, sizeof line, page)); /* under the heading */
   for (int i = 0; i < LEDGER_N_FULL; i++) {
     if (markdown)
-      snprintf(expected, sizeof expected, "| %d | `%s` | %s | %s |\n", i + 1, columns[i].name,
-               columns[i].text, columns[i].type);
+      snprintf(expected, sizeof expected, "| %d | `%s` | %s |\n", i + 1, columns[i].name,
+               columns[i].text);
     else
-      snprintf(expected, sizeof expected, "   %d, ``%s``, \"%s\", %s\n", i + 1, columns[i].name,
-               columns[i].text, columns[i].type);
+      snprintf(expected, sizeof expected, "   %d, ``%s``, \"%s\"\n", i + 1, columns[i].name,
+               columns[i].text);
     assert_non_null(fgets(line, sizeof line, page));
     assert_string_equal(line, expected);
   }

@@ -35,17 +35,14 @@ static void set_contents(const std::string &path, const std::string &text) {
 }
 
 /* A window of rows, all of the same step. */
-static std::string add_rows(LedgerFile &file, const std::string &path, int step, int count) {
+static std::string add_rows(LedgerFile &file, int step, int count) {
   std::vector<char> bytes;
   for (int i = 0; i < count; i++) {
     LedgerRow row;
     row.fill(0.5);
     row[LedgerColumn::TAG] = i;
     row[LedgerColumn::TIME] = step;
-    if (is_ledger_array(path))
-      append_record(row, LedgerColumn::N_COLUMNS, bytes);
-    else
-      append_line(row, LedgerColumn::N_COLUMNS, bytes);
+    append_line(row, LedgerColumn::N_COLUMNS, bytes);
   }
   file.append(bytes.data(), bytes.size());
   return file.commit(count);
@@ -70,39 +67,37 @@ static void limit(rlim_t bytes) {
 /* A disk that is full takes a part of a window; when it has room again, the next one follows the
  * last whole one. Larger than what is written at once. */
 static void full_disk(void **) {
-  for (const char *name : {"/full.csv", "/full.npy"}) {
-    const std::string path = folder + name;
-    LedgerFile file(path, LedgerColumn::N_COLUMNS);
-    file.open(LedgerState(), "heading");
-    assert_written(add_rows(file, path, 1, 300));
-    const std::string good = contents(path);
-    for (int rows : {300, 30000}) {
-      limit(good.size() + 5000);
-      assert_says(add_rows(file, path, 2, rows), "File too large");
-      limit(RLIM_INFINITY);
-      assert_true(contents(path) == good);
-    }
-    assert_int_equal(file.state().rows, 300);
-    assert_written(add_rows(file, path, 3, 10));
-    assert_int_equal(file.state().rows, 310);
-    const std::string after = contents(path);
-    assert_int_equal(file.state().bytes, after.size());
-    const std::string other = folder + "/twin-of-" + (name + 1);
-    LedgerFile twin(other, LedgerColumn::N_COLUMNS);
-    twin.open(LedgerState(), "heading");
-    add_rows(twin, other, 1, 300);
-    add_rows(twin, other, 3, 10);
-    assert_true(contents(other) == after);
+  const std::string path = folder + "/full.csv";
+  LedgerFile file(path, LedgerColumn::N_COLUMNS);
+  file.open(LedgerState(), "heading");
+  assert_written(add_rows(file, 1, 300));
+  const std::string good = contents(path);
+  for (int rows : {300, 30000}) {
+    limit(good.size() + 5000);
+    assert_says(add_rows(file, 2, rows), "File too large");
+    limit(RLIM_INFINITY);
+    assert_true(contents(path) == good);
   }
+  assert_int_equal(file.state().rows, 300);
+  assert_written(add_rows(file, 3, 10));
+  assert_int_equal(file.state().rows, 310);
+  const std::string after = contents(path);
+  assert_int_equal(file.state().bytes, after.size());
+  const std::string other = folder + "/twin-of-full.csv";
+  LedgerFile twin(other, LedgerColumn::N_COLUMNS);
+  twin.open(LedgerState(), "heading");
+  add_rows(twin, 1, 300);
+  add_rows(twin, 3, 10);
+  assert_true(contents(other) == after);
 }
 
 static void deleted(void **) {
   const std::string path = folder + "/deleted.csv";
   LedgerFile file(path, LedgerColumn::N_COLUMNS);
   file.open(LedgerState(), "heading");
-  assert_written(add_rows(file, path, 1, 3));
+  assert_written(add_rows(file, 1, 3));
   unlink(path.c_str());
-  assert_says(add_rows(file, path, 2, 3), "deleted");
+  assert_says(add_rows(file, 2, 3), "deleted");
 }
 
 static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved) {
@@ -116,37 +111,35 @@ static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved) {
 
 /* Cut back from any later length. */
 static void every_length(void **) {
-  for (const char *name : {"/cut.csv", "/cut.npy"}) {
-    const std::string path = folder + name;
-    LedgerState state;
-    {
-      LedgerFile file(path, LedgerColumn::N_COLUMNS);
-      file.open(LedgerState(), "heading");
-      assert_written(add_rows(file, path, 1, 3));
-      state = file.state();
-    }
-    const std::string good = contents(path);
-    {
-      LedgerFile file(path, LedgerColumn::N_COLUMNS);
-      file.open(state, "heading");
-      assert_written(add_rows(file, path, 2, 2));
-    }
-    const std::string longer = contents(path);
-    for (size_t length = good.size(); length <= longer.size(); length++) {
-      set_contents(path, longer.substr(0, length));
-      LedgerFile file(path, LedgerColumn::N_COLUMNS);
-      const std::string report = file.open(state, "heading");
-      assert_true(contents(path) == good);
-      assert_true((report.find("cut off") != std::string::npos) == (length > good.size()));
-      if (length == longer.size())
-        assert_says(report, "after the 3 rows that the restart file counts; 2 rows after");
-    }
-    for (size_t length = 0; length < good.size(); length++) {
-      set_contents(path, longer.substr(0, length));
-      LedgerFile file(path, LedgerColumn::N_COLUMNS);
-      assert_says(wrong_of_open(file, state), "are missing");
-      assert_int_equal(contents(path).size(), length);
-    }
+  const std::string path = folder + "/cut.csv";
+  LedgerState state;
+  {
+    LedgerFile file(path, LedgerColumn::N_COLUMNS);
+    file.open(LedgerState(), "heading");
+    assert_written(add_rows(file, 1, 3));
+    state = file.state();
+  }
+  const std::string good = contents(path);
+  {
+    LedgerFile file(path, LedgerColumn::N_COLUMNS);
+    file.open(state, "heading");
+    assert_written(add_rows(file, 2, 2));
+  }
+  const std::string longer = contents(path);
+  for (size_t length = good.size(); length <= longer.size(); length++) {
+    set_contents(path, longer.substr(0, length));
+    LedgerFile file(path, LedgerColumn::N_COLUMNS);
+    const std::string report = file.open(state, "heading");
+    assert_true(contents(path) == good);
+    assert_true((report.find("cut off") != std::string::npos) == (length > good.size()));
+    if (length == longer.size())
+      assert_says(report, "after the 3 rows that the restart file counts; 2 rows after");
+  }
+  for (size_t length = 0; length < good.size(); length++) {
+    set_contents(path, longer.substr(0, length));
+    LedgerFile file(path, LedgerColumn::N_COLUMNS);
+    assert_says(wrong_of_open(file, state), "are missing");
+    assert_int_equal(contents(path).size(), length);
   }
 }
 
@@ -154,7 +147,7 @@ static void two_walls(void **) {
   const std::string path = folder + "/two.csv", link_path = folder + "/link.csv";
   std::unique_ptr<LedgerFile> first(new LedgerFile(path, LedgerColumn::N_COLUMNS));
   first->open(LedgerState(), "heading");
-  assert_written(add_rows(*first, path, 5, 3));
+  assert_written(add_rows(*first, 5, 3));
   const std::string rows = contents(path);
   assert_int_equal(symlink(path.c_str(), link_path.c_str()), 0);
   for (const std::string &name : {path, link_path}) {
@@ -186,7 +179,7 @@ static void links(void **) {
   assert_int_equal(symlink(path.c_str(), link.c_str()), 0);
   LedgerFile file(link, LedgerColumn::N_COLUMNS);
   file.open(LedgerState(), "heading");
-  assert_written(add_rows(file, link, 1, 3));
+  assert_written(add_rows(file, 1, 3));
   assert_says(contents(path), "# heading");
 }
 
@@ -197,16 +190,8 @@ static void long_tags(void **) {
   LedgerRow row;
   row.fill(0);
   row[LedgerColumn::TAG] = static_cast<double>(tag);
-  append_record(row, LedgerColumn::N_COLUMNS, bytes);
-  assert_memory_equal(bytes.data(), &tag, sizeof tag);
-  const std::string full =
-      array_header(begin_array(std::string(2000, 'h'), LedgerColumn::N_FULL), INT64_MAX);
-  assert_int_equal(full.size(), LEDGER_HEADER);
-  assert_true(full.find(",), }") != std::string::npos &&
-              !find_begin(full, LedgerColumn::N_FULL).empty());
-  assert_true(find_begin(full, LedgerColumn::N_COLUMNS).empty());
-  assert_true(begin_array("heading", LedgerColumn::N_COLUMNS).find("'tag'), '<i8')") !=
-              std::string::npos);
+  append_line(row, LedgerColumn::N_COLUMNS, bytes);
+  assert_memory_equal(bytes.data(), "3000000000,", 11);
 }
 
 int main() {

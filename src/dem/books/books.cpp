@@ -67,6 +67,9 @@ void Books::parse_ledger(Words &words) {
   }
   if (!words.done() && strpbrk(words.rest()[0], "./"))
     throw Error("behind 'ledger', 'file " + words.word("") + "' is expected for a file");
+  if (path.size() > 4 && path.compare(path.size() - 4, 4, ".npy") == 0)
+    throw Error("the file of 'ledger' is '" + path + "'; ledgers are CSV, such as " +
+                path.substr(0, path.size() - 4) + ".csv");
   if (!on_error.empty() && on_error != "stop" && on_error != "go_on")
     throw Error("on_error is '" + on_error + "'; it must be stop or go_on");
   if (!columns.empty() && columns != "full")

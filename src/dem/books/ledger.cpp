@@ -115,7 +115,7 @@ std::string Ledger::flush() {
     return "";
   PrintedRows mine;
   for (; written_ < size_; written_++)
-    mine.add(row(written_), n_columns_, is_ledger_array(path_));
+    mine.add(row(written_), n_columns_);
   const PrintedRows all = {gather(mine.keys, world_), gather(mine.bytes, world_)};
   return share(rank_ == 0 ? commit(all) : "");
 }

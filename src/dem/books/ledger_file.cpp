@@ -31,8 +31,7 @@ static std::string rows_of(int64_t count) {
 }
 
 LedgerFile::LedgerFile(const std::string &path, int columns)
-    : path_(path), columns_(columns), is_array_(is_ledger_array(path)), fd_(-1), rows_(0),
-      bytes_(0), pending_(0), torn_(false) {}
+    : path_(path), columns_(columns), fd_(-1), rows_(0), bytes_(0), pending_(0), torn_(false) {}
 
 LedgerFile::~LedgerFile() {
   if (fd_ >= 0)
@@ -93,11 +92,7 @@ std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
 }
 
 void LedgerFile::begin(const std::string &heading) {
-  std::string first = "# " + heading + "\n" + ledger_names(columns_) + "\n";
-  if (is_array_) {
-    begin_ = begin_array(heading, columns_);
-    first = array_header(begin_, 0);
-  }
+  const std::string first = "# " + heading + "\n" + ledger_names(columns_) + "\n";
   if (ftruncate(fd_, 0) != 0)
     throw Error(cannot_write(path_, strerror(errno)));
   write(first.data(), first.size(), 0);
@@ -137,33 +132,24 @@ std::string LedgerFile::continue_at(const LedgerState &state) {
   return report;
 }
 
-/* An array's heading stays what it is. */
 void LedgerFile::check_columns() {
-  std::string first(is_array_ ? static_cast<size_t>(LEDGER_HEADER) : HEADING_MOST, '\0');
+  std::string first(HEADING_MOST, '\0');
   first.resize(std::max<ssize_t>(0, pread(fd_, &first[0], first.size(), 0)));
-  bool good = first.compare(0, 1, "#") == 0;
-  if (is_array_) {
-    begin_ = find_begin(first, columns_);
-    good = !begin_.empty();
-  } else {
-    const std::string names = "\n" + ledger_names(columns_) + "\n";
-    good =
-        good && first.compare(std::min(first.find('\n'), first.size()), names.size(), names) == 0;
-  }
-  if (!good)
+  const std::string names = "\n" + ledger_names(columns_) + "\n";
+  if (first.compare(0, 1, "#") != 0 ||
+      first.compare(std::min(first.find('\n'), first.size()), names.size(), names) != 0)
     throw Error(
         "the ledger file '" + path_ +
         "' is not one to append to: its columns must be those of this version and of this ledger");
 }
 
 bool LedgerFile::holds(const LedgerState &state) const {
-  return is_ledger_array(state.path) == is_array_ && size() >= state.bytes &&
-         tail_at(state.bytes) == state.tail;
+  return size() >= state.bytes && tail_at(state.bytes) == state.tail;
 }
 
-/* Checksum of the last bytes, without an array's header, which contains the number of rows. */
+/* Checksum of the last bytes. */
 uint32_t LedgerFile::tail_at(int64_t bytes) const {
-  const int64_t from = std::max(bytes - TAIL, is_array_ ? static_cast<int64_t>(LEDGER_HEADER) : 0);
+  const int64_t from = std::max<int64_t>(bytes - TAIL, 0);
   std::vector<char> tail(static_cast<size_t>(std::max<int64_t>(0, bytes - from)));
   const ssize_t length = pread(fd_, tail.data(), tail.size(), from);
   return checksum(tail.data(), static_cast<size_t>(std::max<ssize_t>(0, length)));
@@ -174,7 +160,9 @@ int64_t LedgerFile::size() const {
   return fstat(fd_, &is) == 0 ? static_cast<int64_t>(is.st_size) : 0;
 }
 
-int64_t LedgerFile::count_lines(int64_t from, bool &torn) const {
+/* From a place between two rows, or from the beginning of the file. */
+int64_t LedgerFile::count_rows(int64_t from, bool &torn) const {
+  const int64_t above = from > 0 ? 0 : 2;
   std::vector<char> part(BUFFER);
   int64_t lines = 0;
   torn = false;
@@ -182,16 +170,7 @@ int64_t LedgerFile::count_lines(int64_t from, bool &torn) const {
     lines += std::count(part.begin(), part.begin() + length, '\n');
     torn = part[length - 1] != '\n';
   }
-  return lines;
-}
-
-/* From a place between two rows, or from the beginning of the file. */
-int64_t LedgerFile::count_rows(int64_t from, bool &torn) const {
-  if (!is_array_)
-    return std::max<int64_t>(0, count_lines(from, torn) - (from > 0 ? 0 : 2));
-  const int64_t bytes = size() - std::max(from, static_cast<int64_t>(LEDGER_HEADER));
-  torn = bytes > 0 && bytes % bytes_of_record(columns_) > 0;
-  return std::max<int64_t>(0, bytes / bytes_of_record(columns_));
+  return std::max<int64_t>(0, lines - above);
 }
 
 LedgerState LedgerFile::state() const {
@@ -231,15 +210,11 @@ void LedgerFile::write_buffer() {
   buffer_.clear();
 }
 
-/* Back to the windows that have ended, and an array's header with them. */
+/* Back to the windows that have ended. */
 void LedgerFile::take_back() {
   why_.clear();
   if (ftruncate(fd_, bytes_) != 0)
     why_ = strerror(errno);
-  if (is_array_) {
-    const std::string header = array_header(begin_, rows_);
-    write(header.data(), header.size(), 0);
-  }
   torn_ = !why_.empty();
 }
 
@@ -251,10 +226,6 @@ bool LedgerFile::is_deleted() const {
 
 std::string LedgerFile::commit(int64_t rows) {
   write_buffer();
-  if (is_array_) {
-    const std::string header = array_header(begin_, rows_ + rows);
-    write(header.data(), header.size(), 0);
-  }
   if (why_.empty() && is_deleted())
     why_ = "it has been deleted";
   const std::string why = why_;

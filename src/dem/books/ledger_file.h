@@ -1,8 +1,6 @@
 /* The file of a ledger, on the one rank that writes it. A run begins it; a restart continues it.
  * Rows are added when a window of rows ends. If a write fails, the file is cut back to the last row
- * before the window. A file whose name ends with .npy is a one-dimensional structured array in
- * NumPy's format, version 1.0; any other one is CSV. The number of rows in an array's header is
- * updated after the rows are written, so a run that dies leaves a valid file.
+ * before the window.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_LEDGER_FILE_H
@@ -61,7 +59,6 @@ private:
   bool holds(const LedgerState &state) const;
   uint32_t tail_at(int64_t bytes) const;
   int64_t size() const;
-  int64_t count_lines(int64_t from, bool &torn) const;
   int64_t count_rows(int64_t from, bool &torn) const;
 
   void write(const char *bytes, size_t length, int64_t at);
@@ -71,8 +68,6 @@ private:
 
   std::string path_;
   int columns_;
-  bool is_array_;
-  std::string begin_; /* of an array's header, up to the number of its rows */
   int fd_;
   int64_t rows_, bytes_; /* of the windows that have ended */
   int64_t pending_;      /* bytes of this window that have been written */

@@ -30,10 +30,10 @@ LedgerRow asperity::impact_row(const double v1[3], const double n[3], const asp_
   return row;
 }
 
-void PrintedRows::add(const LedgerRow &row, int columns, bool is_array) {
+void PrintedRows::add(const LedgerRow &row, int columns) {
   typedef LedgerColumn L;
   const size_t before = bytes.size();
-  (is_array ? append_record : append_line)(row, columns, bytes);
+  append_line(row, columns, bytes);
   for (int column : {L::STEP, L::TIME, L::TAG, L::IMPACT})
     keys.push_back(row[column]);
   keys.push_back(static_cast<double>(bytes.size() - before));

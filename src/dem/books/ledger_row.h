@@ -23,7 +23,7 @@ struct PrintedRows {
   size_t size() const {
     return keys.size() / KEY;
   }
-  void add(const LedgerRow &row, int columns, bool is_array);
+  void add(const LedgerRow &row, int columns);
 
   /* Adds the rows to a file, in order of their keys. Returns an empty string, or why they are not
    * there. */

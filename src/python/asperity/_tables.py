@@ -24,11 +24,8 @@ def _type_of(name: str, value: str) -> str:
 
 
 def read(path: str | os.PathLike[str]) -> NDArray[np.void]:
-    """A ledger (.csv or .npy), or another table of numbers and single words that the command made,
+    """A ledger, or another table of numbers and single words that the command made,
     as an array with named columns. What is empty in a CSV is nan."""
-    with open(path, "rb") as file:
-        if file.read(6) == b"\x93NUMPY":
-            return np.load(path)
     with open(path, encoding="utf-8") as file:
         title, line = [], file.readline()
         while line.startswith("#"):
