@@ -14,9 +14,6 @@
 /* Noise puts no rebound farther below the wall than this, in degrees. */
 #define BELOW_MOST 20
 
-/* More than half of the coefficients beyond this are per cent. */
-#define RATIO_MOST 5
-
 /* Two forms of a velocity that differ by more, as a share of v1, are of different impacts. */
 #define CONTRADICTION 0.05
 
@@ -228,20 +225,6 @@ static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *da
   }
 }
 
-/* Exits where the coefficients are per cent. */
-static void check_ratios(const aspi_measured *data, const char *path) {
-  size_t all = 0, large = 0;
-  for (size_t i = 0; i < data->count; i++)
-    for (int k = 0; k < COR_BOTH; k++) {
-      all += !isnan(data->rows[i].cor[k]);
-      large += fabs(data->rows[i].cor[k]) > RATIO_MOST;
-    }
-  if (2 * large > all)
-    cli_bad_usage("%s: %zu of %zu coefficients are over %d, which look like per cent; they must be "
-                  "numbers such as 0.5",
-                  path, large, all, RATIO_MOST);
-}
-
 /* v2/v1; a coefficient that is missing counts as 0. */
 static double speed_ratio(const aspi_measured_row *row) {
   double alpha = cli_radians(row->degrees), n = row->cor[COR_N] * sin(alpha),
@@ -308,7 +291,6 @@ aspi_measured cli_measured_read(const char *path, const cli_option *view) {
   aspi_csv_close(csv);
   if (data.count == 0)
     cli_bad_usage("%s: no row of data", path);
-  check_ratios(&data, path);
   check_speeds(&data, path);
   double most = 0;
   for (size_t i = 0; i < data.count; i++)

@@ -40,21 +40,20 @@ static const struct {
 } aliases[] = {
     {"e_n", "cor_n"},
     {"e_t", "cor_t"},
-    {"impact_angle aufprallwinkel auftreffwinkel", "alpha1"},
-    {"impact_velocity impact_speed aufprallgeschwindigkeit auftreffgeschwindigkeit", "v1"},
-    {"particle_diameter diameter partikeldurchmesser durchmesser", "dp"},
+    {"impact_angle", "alpha1"},
+    {"impact_velocity impact_speed", "v1"},
+    {"particle_diameter diameter", "dp"},
     {"particle_radius", "radius"},
     {"cor_n_std cor_n_stdev", "cor_n_sd"},
     {"cor_t_std cor_t_stdev", "cor_t_sd"},
     {"cor_n_sem", "cor_n_se"},
     {"cor_t_sem", "cor_t_se"}};
 
-/* A name in small letters, Greek ones and signs written out, all others as single underscores:
- * `α1 [°]` and `alpha_1 (deg)` are alpha1_deg. */
+/* A name in small letters, the signs of units written out, all others as single underscores:
+ * `alpha_1 [°]` is alpha1_deg. */
 static void plain(const char *name, char *to, size_t size) {
-  static const char *const written[][2] = {{"\xce\xb1", "alpha"}, {"\xc2\xb0", "_deg"},
-                                           {"\xc2\xb5", "u"},     {"\xce\xbc", "u"},
-                                           {"%", "_percent"},     {"\xb0", "_deg"}};
+  static const char *const written[][2] = {
+      {"\xc2\xb0", "_deg"}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}, {"%", "_percent"}};
   size_t n = 0;
   for (const char *c = name; *c && n + 8 < size;) {
     bool found = false;

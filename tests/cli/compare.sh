@@ -32,7 +32,7 @@ awk 'BEGIN { print "alpha1_deg,cor_n"; for (i = 0; i < 50; i++) print "30,0.5" }
 "$asperity" compare model cor.csv --near 90,9,9 | rows /dev/stdin | cut -d, -f1,8-11,13-17 > wanted
 awk -F, -v pi=3.14159265358979 '/^#/ || /^dp/ { next }
   { a = $3 * pi / 180; n2 = $8 * 50 * sin(a); t2 = $9 * 50 * cos(a); v2 = sqrt(n2 * n2 + t2 * t2); a2 = atan2(n2, t2); f = "%.12g"
-    if (!n++) { print "alpha1_deg,v1,alpha2_plane_deg,v2_plane" > "velocities"; print "α1 [rad];v1 [mm/s];alpha_2_plane (rad);v2_plane (mm/s)" > "radians"; print "v1_n_m_s,v1_t_m_s,v2_n_m_s,v2_t_m_s" > "components"; print "alpha1_deg,cor_v_plane,cor_alpha_plane,v1" > "ratios"; print "alpha1_deg,cor_n,cor_t,outcome,v1_m_s,d_p [um]" > "pairs" }
+    if (!n++) { print "alpha1_deg,v1,alpha2_plane_deg,v2_plane" > "velocities"; print "alpha_1 [rad];v1 [mm/s];alpha_2_plane (rad);v2_plane (mm/s)" > "radians"; print "v1_n_m_s,v1_t_m_s,v2_n_m_s,v2_t_m_s" > "components"; print "alpha1_deg,cor_v_plane,cor_alpha_plane,v1" > "ratios"; print "alpha1_deg,cor_n,cor_t,outcome,v1_m_s,d_p [um]" > "pairs" }
     printf "%.12g,50,%.12g,%.12g\n", $3, a2 * 180 / pi, v2 > "velocities"
     printf "%.12g;50000;%.12g;%.12g\n", a, a2, v2 * 1e3 > "radians"
     printf "%.12g,%.12g,%.12g,%.12g\n", -50 * sin(a), 50 * cos(a), n2, t2 > "components"

@@ -126,7 +126,7 @@ printf 'alpha1_deg,cor_n\n120,0.5\n' > bad.csv; refuses 2 "bad.csv:2" "0 to 90" 
 bad() { printf '%b' "$1" > bad.csv; shift; refuses 2 bad.csv "$@" -- compare gt.csv bad.csv; }
 bad 'alpha1_deg,cor_n,outcome\n30,0.5,lost\n' bad.csv:2 "outcome is 'lost'" "rebound or deposit"
 bad 'alpha1_deg,cor_n [%]\n30,50\n' "'cor_n [%]'" "a number such as 0.5"
-bad 'alpha1_deg,cor_n\n30,50\n60,40\n' "2 of 2 coefficients" "per cent"
+bad 'alpha1_deg,cor_n\n30,50\n60,40\n' "the rebound is" "times as fast"
 bad 'alpha1_deg,cor_n,v1 [km/h]\n30,0.5,3\n' "'v1 [km/h]'" "m/s cm/s mm/s"
 bad 'alpha1_deg,cor_n,v1_kmh\n30,0.5,3\n' "'v1_kmh'" "m/s cm/s mm/s"
 bad 'alpha1_deg,cor_n,dp\n30,0.5,3\n' "'dp' is not stated" dp_um
@@ -142,8 +142,8 @@ dialect() { # LINES ABOVE, format of a row, mark of decimals
   { printf '%b' "$1"; printf "$2" "${rows[@]//,/$3}"; } > other.csv
   "$asperity" compare ours.csv other.csv 2> err | grep -v '^#' | cmp -s - wanted || die "compare: another dialect: $1: $(cat err)"
 }
-dialect 'sep=;\r\nRig 3, 2019\r\nProbe;A12\r\nAufprallwinkel [°];e_n;e_t [-];Durchmesser [µm];Aufprallgeschwindigkeit [m/s];outcome\r\n' '%s;%s;%s;%s;%s;%s\r\n' ,
-dialect '# rig\nα1\te_n\te_t\td_p\tv1\toutcome\n[°]\t-\t-\tum\tm/s\t\n' '%s\t%s\t%s\t%s\t%s\t%s\n' ,
+dialect 'sep=;\r\nRig 3, 2019\r\nProbe;A12\r\nimpact angle [°];e_n;e_t [-];diameter [µm];impact speed [m/s];outcome\r\n' '%s;%s;%s;%s;%s;%s\r\n' ,
+dialect '# rig\nalpha_1\te_n\te_t\td_p\tv1\toutcome\n[°]\t-\t-\tum\tm/s\t\n' '%s\t%s\t%s\t%s\t%s\t%s\n' ,
 dialect 'Measured in May\n\nimpact angle (deg),CoR_N,CoR_T,particle diameter (um),impact speed (m/s),outcome\n' '%s,%s,%s,%s,%s,%s\n' .
 printf 'alpha1_deg,cor_n\n' > bad.csv; refuses 2 "no row of data" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n,outcome\n30,0.5,rebound\n' > few.csv; printf 'alpha1_deg,cor_n\n60,0.5\n' > far.csv
