@@ -67,14 +67,14 @@ static void make_room(wear *w) {
 }
 
 static double worn_by_law(const wear *w, const double of[], double mass) {
-  double alpha = cli_radians(of[IMPACT_ALPHA1]);
-  return mass * aspi_erosion_ratio(w->law, w->wall_density, of[IMPACT_V1], sin(alpha), cos(alpha),
-                                   of[IMPACT_D_P]);
+  double alpha = cli_radians(of[ALPHA1]);
+  return mass *
+         aspi_erosion_ratio(w->law, w->wall_density, of[V1], sin(alpha), cos(alpha), of[D_P]);
 }
 
 static asp_code add_row(void *taker, const double of[], asp_error *error) {
   wear *w = taker;
-  double mass = of[IMPACT_MASS], d = of[IMPACT_D_P];
+  double mass = of[MASS], d = of[D_P];
   w->has_mass = !isnan(mass);
   if (!w->has_mass)
     mass = w->density * ASP_PI / 6 * d * d * d;
@@ -83,9 +83,9 @@ static asp_code add_row(void *taker, const double of[], asp_error *error) {
                      "%s: no column 'mass', which 'columns full' has: give the density of the "
                      "particles by --density or 'materials'",
                      w->path);
-  double worn = w->law ? worn_by_law(w, of, mass) : of[IMPACT_ERODED];
+  double worn = w->law ? worn_by_law(w, of, mass) : of[ERODED];
   make_room(w);
-  w->cells[w->count++] = (cell){(int)of[IMPACT_MESH], (int)of[IMPACT_TRIANGLE], 1, worn};
+  w->cells[w->count++] = (cell){(int)of[MESH], (int)of[TRIANGLE], 1, worn};
   return ASP_OK;
 }
 
@@ -145,14 +145,11 @@ static void run(cli_call *call) {
     d = cli_description_read(call->n_words - 1, call->words + 1, false);
     take_law(&w, &d);
   }
-  unsigned needs =
-      1 << IMPACT_MESH | 1 << IMPACT_TRIANGLE |
-      (has_law ? 1 << IMPACT_ALPHA1 | 1 << IMPACT_V1 | 1 << IMPACT_D_P : 1 << IMPACT_ERODED);
-  impact_file ledger = {.path = w.path,
-                        .uses = needs | 1 << IMPACT_MASS,
-                        .needs = needs,
-                        .take = add_row,
-                        .taker = &w};
+  uint32_t needed =
+      COLUMN_BIT(MESH) | COLUMN_BIT(TRIANGLE) |
+      (has_law ? COLUMN_BIT(ALPHA1) | COLUMN_BIT(V1) | COLUMN_BIT(D_P) : COLUMN_BIT(ERODED));
+  impact_file ledger = {
+      .path = w.path, .wanted = COLUMN_BIT(MASS), .needed = needed, .take = add_row, .taker = &w};
   cli_scatter_read_rows(&ledger);
   if (!has_law && *ledger.comment && !strstr(ledger.comment, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",

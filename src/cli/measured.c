@@ -4,15 +4,11 @@
 #include "cli/measured.h"
 #include "base/csv.h"
 #include "base/error.h"
-#include "base/number.h"
 #include "cli/measured_columns.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Noise puts no rebound farther below the wall than this, in degrees. */
-#define BELOW_MOST 20
 
 /* Two forms of a velocity that differ by more, as a share of v1, are of different impacts. */
 #define CONTRADICTION 0.05
@@ -45,25 +41,6 @@ static asp_code find_form(const aspi_csv *csv, const cli_columns *l, bool *means
                         "cor_v,cor_alpha or cor_n,cor_t, means are cor_n_mean,cor_n_sd,cor_t_mean,"
                         "cor_t_sd",
                         points ? "both points and means" : "neither points nor means");
-}
-
-static asp_code read_numbers(const aspi_csv *csv, const cli_columns *l, double *value,
-                             asp_error *error) {
-  for (int c = 0; c < MEASURED_COLUMNS; c++) {
-    bool missing, angle = cli_column_is_angle(c);
-    double full = (c == ALPHA2 ? 180 : 90) * (1 + 1e-9) / l->factor[c];
-    double least = c == ALPHA2 ? -BELOW_MOST / l->factor[c] : angle || c >= SD ? 0 : -1e15;
-    full = c == ALPHA2 && l->view[c] == ASPI_MEASURED_SPACE ? full / 2 : full;
-    value[c] = NAN;
-    if (!has(l, c) || cli_column_is_word(c))
-      continue;
-    asp_code code = aspi_csv_number(csv, l->at[c], least, angle ? full : 1e15, &value[c],
-                                    c == ALPHA1 ? NULL : &missing, error);
-    if (code)
-      return code;
-    value[c] *= l->factor[c];
-  }
-  return ASP_OK;
 }
 
 /* The coefficients of the components of both velocities. */
@@ -106,24 +83,6 @@ static aspi_measured_row row_of(const cli_columns *l, const double *v, bool mean
   if (row.degrees >= 90 - 1e-9)
     row.cor[COR_T] = NAN;
   return row;
-}
-
-asp_code cli_measured_outcome(const aspi_csv *csv, int column, bool *deposit, asp_error *error) {
-  static const char *const words[] = {"rebound rebounded",
-                                      "deposit deposited deleted stuck sticks"};
-  const char *word = csv->fields[column];
-  char *end;
-  double number = aspi_number(word, &end);
-  const bool is_number = end > word && !*end;
-  for (int i = 0; i < 2; i++)
-    if (is_number ? number >= i && number <= 2 * i
-                  : aspi_word_index(words[i], word, strlen(word), false) >= 0) {
-      *deposit = i;
-      return ASP_OK;
-    }
-  return aspi_text_fail(&csv->text, csv->text.line, error,
-                        "outcome is '%.40s'; it must be rebound or deposit (or stuck, or 0 or 1)",
-                        word);
 }
 
 static int by_place(const void *left, const void *right) {
@@ -196,26 +155,24 @@ static void compare_forms(const cli_columns *l, const double *v, const aspi_meas
 
 static asp_code read_rows(aspi_csv *csv, const cli_columns *l, aspi_measured *data, odd_rows *odd,
                           asp_error *error) {
-  /* a ledger's v2 is in space, its alpha2 in the plane */
-  const bool is_ledger = aspi_csv_find(csv, "tilt_out_deg") >= 0;
+  uint32_t needed = COLUMN_BIT(ALPHA1);
   for (bool found;;) {
     double value[MEASURED_COLUMNS];
     asp_code code;
     if ((code = aspi_csv_row(csv, &found, error)) || !found ||
-        (code = read_numbers(csv, l, value, error)))
+        (code = cli_columns_row(csv, l, needed, value, error)))
       return code;
     aspi_measured_row row = row_of(l, value, data->means);
     row.deposit = !data->means && !(fabs(row.cor[COR_N]) > 0) && !isnan(row.cor[COR_N]);
-    if (has(l, OUTCOME) && !data->means &&
-        (code = cli_measured_outcome(csv, l->at[OUTCOME], &row.deposit, error)))
-      return code;
+    if (has(l, OUTCOME) && !data->means)
+      row.deposit = value[OUTCOME] > 0;
     if (row.deposit)
       row.cor[COR_N] = row.cor[COR_T] = NAN;
     if (isnan(row.degrees))
       return aspi_text_fail(&csv->text, csv->text.line, error,
                             "the impact angle is missing; v1_n and v1_t, or alpha1, must be there");
     bool empty = isnan(row.cor[COR_N]) && isnan(row.cor[COR_T]) && !has(l, OUTCOME);
-    if (!data->means && !is_ledger && (has(l, POINT) || has(l, POINT + COR_T)))
+    if (!data->means && !l->is_ledger && (has(l, POINT) || has(l, POINT + COR_T)))
       compare_forms(l, value, &row, odd);
     odd->empty += empty;
     odd->below += !data->means && row.cor[COR_N] < 0;
@@ -274,7 +231,7 @@ aspi_measured cli_measured_read(const char *path, const cli_option *view) {
   asp_error error;
   aspi_csv *csv = aspi_csv_open(path, &error);
   cli_must(csv, &error);
-  cli_columns_find(csv, path, &l);
+  cli_columns_find(csv, path, COLUMN_BIT(DELTA_ALPHA) - 1, &l);
   cli_must(!find_form(csv, &l, &data.means, &error) && !find_view(csv, &l, &data, &error) &&
                !read_rows(csv, &l, &data, &odd, &error),
            &error);
@@ -295,9 +252,8 @@ aspi_measured cli_measured_read(const char *path, const cli_option *view) {
   double most = 0;
   for (size_t i = 0; i < data.count; i++)
     most = fmax(most, data.rows[i].degrees);
-  if (has(&l, ALPHA1) && most < CLI_RADIANS_MOST)
-    cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
-             CLI_RADIANS_MOST);
+  if (has(&l, ALPHA1))
+    cli_warn_radians(path, most);
   cli_measured_sort(&data);
   return data;
 }

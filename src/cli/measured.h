@@ -6,7 +6,6 @@
 #define ASP_CLI_MEASURED_H
 
 #include "analysis/impacts.h"
-#include "base/csv.h"
 #include "cli/cli.h"
 
 /* The option of commands that read such a table. */
@@ -19,9 +18,6 @@
 /* Reads such a table, in order of angle, speed, size; exits on a file that is none. Names and units
  * of its columns: see `asperity compare --help`. */
 aspi_measured cli_measured_read(const char *path, const cli_option *view);
-
-/* Reads an outcome: a word, or the number of a ledger. */
-asp_code cli_measured_outcome(const aspi_csv *csv, int column, bool *deposit, asp_error *error);
 
 /* Puts rows in order of angle, speed, size. */
 void cli_measured_sort(aspi_measured *data);
