@@ -273,77 +273,22 @@ static bool is_missing(const char *text, size_t length) {
   return length == 0 || stars == length || aspi_word_index(marks, text, length, false) >= 0;
 }
 
-/* Removes the marks between groups of three digits, in place; false if a mark stands elsewhere. */
-static bool ungroup(char *text, char mark) {
-  char *out = text;
-  int digits = 0; /* since the last mark; -1: no mark yet */
-  bool marked = false;
-  for (char *c = text; *c; c++) {
-    if (*c == mark) {
-      bool zero = !marked && digits == 1 && c[-1] == '0'; /* as in 0,500: no first group */
-      if (digits == 0 || digits > 3 || (marked && digits != 3) || zero)
-        return false;
-      marked = true;
-      digits = 0;
-      continue;
-    }
-    if (!isdigit((unsigned char)*c) && marked) { /* after the last group */
-      if (digits != 3 || !strchr(".,eE", *c))
-        return false;
-      memmove(out, c, strlen(c) + 1);
-      return strchr(out, mark) == NULL;
-    }
-    digits += isdigit((unsigned char)*c) != 0;
-    *out++ = *c;
-  }
-  *out = '\0';
-  return !marked || digits == 3;
-}
-
-/* Replaces signs outside ASCII by their ASCII forms, in place: a Unicode minus by -, and blanks
- * between groups of digits by apostrophes. */
-static void plain_signs(char *text) {
-  static const struct {
-    const char *sign;
-    char plain;
-  } signs[] = {{"\xE2\x88\x92", '-'},
-               {"\xC2\xA0", '\''},
-               {"\xE2\x80\xAF", '\''},
-               {"\xE2\x80\x89", '\''},
-               {"\xA0", '\''}};
-  for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-    for (char *at; (at = strstr(text, signs[i].sign)) != NULL;) {
-      *at = signs[i].plain;
-      memmove(at + 1, at + strlen(signs[i].sign), strlen(at + strlen(signs[i].sign)) + 1);
-    }
-}
-
-/* Converts a number to C's form: a decimal point, no groups, an exponent with E. */
+/* Converts a number to C's form: an ASCII minus, a decimal point, an exponent with E. */
 static bool normalize(char *text, bool comma) {
-  plain_signs(text);
+  static const char minus[] = "\xE2\x88\x92";
+  for (char *at; (at = strstr(text, minus)) != NULL;) {
+    *at = '-';
+    memmove(at + 1, at + strlen(minus), strlen(at + strlen(minus)) + 1);
+  }
   for (char *c = text; *c; c++)
     if ((*c == 'd' || *c == 'D') && c > text && (isdigit((unsigned char)c[-1]) || c[-1] == '.') &&
         (isdigit((unsigned char)c[1]) || c[1] == '+' || c[1] == '-'))
       *c = 'e';
-  if (strchr(text, '\'') && !ungroup(text, '\''))
-    return false;
-  if (comma && strchr(text, ' ') && !ungroup(text, ' '))
-    return false;
-  char *first_comma = strchr(text, ','), *last_comma = strrchr(text, ',');
-  char *first_point = strchr(text, '.'), *last_point = strrchr(text, '.');
-  if (first_comma && first_point) { /* the last mark is the decimal one */
-    bool decimal_comma = last_comma > last_point;
-    if (!ungroup(text, decimal_comma ? '.' : ','))
-      return false;
-  } else if (first_comma && (!comma || last_comma > first_comma)) {
-    if (!ungroup(text, ','))
-      return false;
-  } else if (first_point && last_point > first_point && !ungroup(text, '.')) {
-    return false;
-  }
-  for (char *c = text; (c = strchr(c, ',')) != NULL;)
-    *c = '.';
-  return true;
+  char *mark = strchr(text, ',');
+  if (!mark)
+    return true;
+  *mark = '.';
+  return comma && strchr(text, '.') == mark && !strpbrk(mark + 1, ".,");
 }
 
 aspi_word aspi_text_number(const char *text, bool comma, double *value) {

@@ -18,11 +18,6 @@
 
 enum { LINE_MOST = 1 << 22 };
 
-/* Numbers form a ramp if their steps are equal to this part of a step, over at least RAMP_LEAST
- * numbers. */
-#define RAMP_OFF 1e-2
-enum { RAMP_LEAST = 8 };
-
 /* One line and the numbers in it. */
 typedef struct scanner {
   aspi_text source;
@@ -205,36 +200,6 @@ static asp_code add_row(const scanner *s, double unit, aspi_missing *missing, as
   return code;
 }
 
-/* True if heights rise or fall by equal steps; `apart` is their distance in memory. */
-static bool is_ramp(const aspi_raw *raw, size_t from, size_t count, size_t apart) {
-  double first = aspi_raw_at(raw, from);
-  double step = (aspi_raw_at(raw, from + (count - 1) * apart) - first) / (double)(count - 1);
-  for (size_t i = 0; i < count && step * step > 0; i++)
-    if (!(fabs(aspi_raw_at(raw, from + i * apart) - (first + step * (double)i)) <=
-          RAMP_OFF * fabs(step)))
-      return false;
-  return step * step > 0;
-}
-
-/* Positions along a side of the matrix, in its first row or column, are no heights. */
-static asp_code check_axes(const scanner *s, const aspi_raw *raw, asp_error *error) {
-  size_t columns = raw->columns, rows = raw->rows;
-  if (columns < RAMP_LEAST || rows < RAMP_LEAST)
-    return ASP_OK;
-  bool row = is_ramp(raw, 1, columns - 1, 1) && !is_ramp(raw, columns + 1, columns - 1, 1);
-  bool column =
-      is_ramp(raw, columns, rows - 1, columns) && !is_ramp(raw, columns + 1, rows - 1, columns);
-  if (!row && !column)
-    return ASP_OK;
-  return aspi_fail(error, ASP_EDATA,
-                   "%.200s: the numbers in the first %s of the matrix are equal steps apart: are "
-                   "they positions? Leave heights alone in the file",
-                   s->source.path,
-                   row && column ? "row and column"
-                   : row         ? "row"
-                                 : "column");
-}
-
 static asp_code read_matrix(scanner *s, const head *h, const aspi_profile_options *options,
                             aspi_missing *missing, aspi_raw *raw, asp_error *error) {
   double unit = options->unit_z > 0 ? options->unit_z : h->unit_z;
@@ -271,7 +236,7 @@ static asp_code read_matrix(scanner *s, const head *h, const aspi_profile_option
                      "it (reader: step_x, step_y)",
                      s->source.path);
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
-  return check_axes(s, raw, error);
+  return ASP_OK;
 }
 
 /* ---- x, y, z ---- */
