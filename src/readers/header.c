@@ -1,6 +1,6 @@
 /* Finds the columns of positions and heights in a text file, and their units, from the line of
- * names above them, if there is one. A column that states a unit of length, or is named as a
- * position or a height, is preferred to one with another unit or one named as a counter or a time.
+ * names above them, if there is one. Two columns may have other names than those of positions and
+ * heights; of more, the user says which ones are meant.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/header.h"
@@ -132,18 +132,15 @@ static int asked_for(const char *what, const char *asked, const column *columns,
   return -2;
 }
 
-/* The first column of that kind that is not the other one; UNKNOWN: any that may be a length; -1:
- * none. */
-static int first_of(kind wanted, const column *columns, int fields, int other, bool with_unit) {
-  for (int i = 0; i < fields; i++) {
-    bool fits = wanted == UNKNOWN ? columns[i].kind != NO_LENGTH : columns[i].kind == wanted;
-    if (i != other && fits && (!with_unit || columns[i].unit > 0))
+/* The first column of that kind that is not the other one; -1: none. */
+static int first_of(kind wanted, const column *columns, int fields, int other) {
+  for (int i = 0; i < fields; i++)
+    if (i != other && columns[i].kind == wanted)
       return i;
-  }
   return -1;
 }
 
-/* Two columns without units are taken by their names only where both are known; else the first is
+/* Two columns are taken by their names only where both are known; else the first is
  * that of positions. */
 static bool are_known(const column *columns) {
   return (columns[0].kind == POSITION && columns[1].kind == HEIGHT) ||
@@ -184,15 +181,23 @@ static bool is_none(const choice *c, int found, int asked) {
   return true;
 }
 
+/* A column by its number alone, from 1. */
+static int numbered(const choice *c, int number) {
+  if (number <= c->fields)
+    return number - 1;
+  snprintf(c->why, c->size, "column %d is asked for; the file has %d columns", number, c->fields);
+  return -2;
+}
+
 /* The columns that the user asked for, -1 where none; false where they cannot be meant. */
 static bool find_asked(const choice *c, int *x, int *z) {
   const aspi_profile_options *o = c->options;
   *x = asked_for("positions", o->x_column, c->columns, c->fields, c->why, c->size);
   *z = asked_for("heights", o->z_column, c->columns, c->fields, c->why, c->size);
   if (o->x_number > 0 && *x == -1)
-    *x = o->x_number - 1;
+    *x = numbered(c, o->x_number);
   if (o->column > 0 && *z == -1)
-    *z = o->column - 1;
+    *z = numbered(c, o->column);
   bool same = *x >= 0 && *x == *z;
   if (same)
     snprintf(c->why, c->size, "column %d is asked for as positions and as heights", *x + 1);
@@ -201,22 +206,16 @@ static bool find_asked(const choice *c, int *x, int *z) {
 
 /* Fills in a missing x or z column; x = fields means no x column, -1 means none was found. */
 static void complete(const choice *c, int *x, int *z) {
-  int with_unit = 0, n = c->fields;
-  for (int i = 0; i < n; i++)
-    with_unit += c->columns[i].unit > 0;
-  bool heights_alone = c->options->step[0] > 0, units = with_unit >= (heights_alone ? 1 : 2);
-  if (c->named == 0 || (n <= 2 && !units && !are_known(c->columns))) {
+  int n = c->fields;
+  bool heights_alone = c->options->step[0] > 0;
+  if (c->named == 0 || (n <= 2 && !are_known(c->columns))) {
     *x = *x >= 0 ? *x : *z == 0 && n > 1 ? 1 : 0;
     *z = *z >= 0 ? *z : heights_alone && c->columns[0].kind != NO_LENGTH ? 0 : *x == 1 ? 0 : 1;
   }
   if (*z < 0)
-    *z = first_of(HEIGHT, c->columns, n, *x, units);
+    *z = first_of(HEIGHT, c->columns, n, *x);
   if (*x < 0)
-    *x = first_of(POSITION, c->columns, n, *z, units);
-  if (*x < 0)
-    *x = first_of(UNKNOWN, c->columns, n, *z, units);
-  if (*z < 0)
-    *z = first_of(UNKNOWN, c->columns, n, *x, units);
+    *x = first_of(POSITION, c->columns, n, *z);
 }
 
 static int first_named(char name, const column *columns, int fields) {
@@ -242,7 +241,7 @@ static bool choose_both(const choice *c, aspi_columns *chosen) {
   complete(c, &x, &z);
   if (x < 0 || z < 0) {
     int only = x >= 0 && x < c->fields ? x : z;
-    snprintf(c->why, c->size, "%s%.40s%s a length by the header; " ASK_COLUMNS,
+    snprintf(c->why, c->size, "%s%.40s%s named as a position or a height; " ASK_COLUMNS,
              only < 0 ? "no column is" : "only '", only < 0 ? "" : c->columns[only].name,
              only < 0 ? "" : "' is");
     return false;
@@ -283,7 +282,7 @@ bool aspi_find_axes(const aspi_header *header, char separator, int fields, aspi_
   int found[3] = {first_named('x', columns, fields), first_named('y', columns, fields),
                   first_named('z', columns, fields)};
   if (found[2] < 0)
-    found[2] = first_of(HEIGHT, columns, fields, -1, false);
+    found[2] = first_of(HEIGHT, columns, fields, -1);
   bool named = found[0] >= 0 && found[1] >= 0 && found[2] >= 0;
   for (int k = 0; k < 3; k++) {
     if (named)

@@ -329,7 +329,7 @@ static void columns_far_to_the_right(void **state) {
   o.column = 81;
   expect(text, &o, 4, 1e-6, 4e-6);
   o.column = 101;
-  expect_error(text, &o, ASP_EDATA, "without a line of two numbers");
+  expect_error(text, &o, ASP_EDATA, "column 101 is asked for; the file has 100 columns");
   o.column = 0;
   o.z_column = "81";
   expect(text, &o, 4, 1e-6, 4e-6);
@@ -371,7 +371,9 @@ static void columns_are_chosen_by_their_header(void **state) {
   assert_non_null(strstr(report.text, "of columns 2 and 3"));
   expect("No  x [mm]  z [um]\n1 0 1\n2 2 2\n3 4 4\n", NULL, 3, 2e-3, 4e-6);
   expect_error("Point,t [s],Z [um]\n1,0,4\n2,1,3\n3,4,3\n", NULL, ASP_EDATA,
-               "only 'Z [um]' is a length by the header");
+               "only 'Z [um]' is named as a position or a height");
+  expect_error("a [um],b [um],c [um]\n0,1,4\n1,2,4\n2,4,3\n", NULL, ASP_EDATA,
+               "no column is named as a position or a height; say which columns");
   o.unit_x = o.unit_z = 1e-6;
   static const char *const no_length[] = {"n,Z [um]", "x [px],z [um]", "X pixel,z", "Time,z"};
   for (size_t i = 0; i < sizeof no_length / sizeof *no_length; i++) {
@@ -385,7 +387,7 @@ static void columns_are_chosen_by_their_header(void **state) {
   expect_error("x,z\n1,0,7\n2,1,8\n3,2,9\n", &o, ASP_EDATA, "3 columns under 2 names");
   o.step[0] = 2e-6;
   expect_error("1,7\n2,8\n3,9\n", &o, ASP_EDATA, "2 columns under 0 names");
-  expect_error("time [s],angle [deg],n\n1,7,1\n2,8,2\n", &o, ASP_EDATA, "no column is a length");
+  expect_error("time [s],angle [deg],n\n1,7,1\n2,8,2\n", &o, ASP_EDATA, "no column is named");
   o.step[0] = o.unit_x = o.unit_z = 0;
   o.x_column = o.z_column = "1";
   expect_error("x [um],z [um]\n0,9\n2,9\n4,9\n", &o, ASP_EDATA, "as positions and as heights");
