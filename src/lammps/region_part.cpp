@@ -61,29 +61,15 @@ void RegionPart::set_rate(const RegionPose &rate) {
   has_rate_ = true;
 }
 
-asperity::Twist RegionPart::screw() const {
-  asperity::Twist screw;
-  const double none[3] = {0, 0, 0};
-  velocity_by(rate_, 0.5, none, screw.linear);
-  aspi_scale(dt_, screw.linear);
-  aspi_copy(axis_, screw.angular);
-  aspi_scale(rate_.angle * dt_, screw.angular);
-  return screw;
-}
-
-double RegionPart::drift(const asperity::Twist &from, const double lo[3],
-                         const double hi[3]) const {
+double RegionPart::travel(const double lo[3], const double hi[3]) const {
   double most = 0;
   for (int corner = 0; corner < 8; corner++) {
-    double x[3], v[3], w[3];
+    double x[3], v[3];
     for (int d = 0; d < 3; d++)
       x[d] = corner >> d & 1 ? hi[d] : lo[d];
-    from.velocity(x, w);
     for (double share : {0.0, 1.0}) {
       velocity(share, x, v);
-      aspi_scale(dt_, v);
-      aspi_subtract(v, w, v);
-      most = std::max(most, aspi_length(v));
+      most = std::max(most, dt_ * aspi_length(v));
     }
   }
   return most;

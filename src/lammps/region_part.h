@@ -47,8 +47,7 @@ public:
 
   /* The motion in this step; the distance by which a point within a box moves apart from `from` in
    * it, at most; and the mean angular speed. */
-  asperity::Twist screw() const;
-  double drift(const asperity::Twist &from, const double lo[3], const double hi[3]) const;
+  double travel(const double lo[3], const double hi[3]) const;
   double turn_speed() const;
 
   /* Puts the part to where it is at a share of the step; there it is when it is asked for what

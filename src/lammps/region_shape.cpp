@@ -163,24 +163,16 @@ void RegionShape::begin_step() {
   for (RegionPart &part : parts_)
     if (part.moves())
       part.advance(dt);
-  speed_ = drift(asperity::Twist(), dt) / dt;
-}
-
-/* That of its parts which move, if they move together. */
-asperity::Twist RegionShape::screw(double) const {
-  for (const RegionPart &part : parts_)
-    if (part.moves())
-      return part.screw();
-  return asperity::Twist();
+  speed_ = travel(dt) / dt;
 }
 
 /* A region's box may be endless; the box of the simulation is not. */
-double RegionShape::drift(const asperity::Twist &from, double) const {
+double RegionShape::travel(double) const {
   const Domain *domain = lammps_->domain;
   double most = 0;
   for (const RegionPart &part : parts_)
-    if (part.moves() || !from.is_rest())
-      most = std::max(most, part.drift(from, domain->boxlo, domain->boxhi));
+    if (part.moves())
+      most = std::max(most, part.travel(domain->boxlo, domain->boxhi));
   return most;
 }
 
@@ -257,21 +249,19 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
  */
 
 /* By the nearest point of each part's faces from either side; those that are hidden count, too. */
-double RegionShape::clear(const Course &course, const asperity::Twist &screw,
-                          const FaceList &stays) const {
+double RegionShape::clear(const Course &course, const FaceList &stays) const {
   std::vector<Foot> &feet = buffers_.feet;
-  const Course seen = course.seen_from(screw);
-  const double speed = aspi_length(seen.v), wide = (1 + ASIDE_LENGTH) * seen.reach;
-  double steps = seen.most, aside[3];
-  aspi_add_scaled(seen.x, seen.reach, ASIDE, aside);
+  const double speed = aspi_length(course.v), wide = (1 + ASIDE_LENGTH) * course.reach;
+  double steps = course.most, aside[3];
+  aspi_add_scaled(course.x, course.reach, ASIDE, aside);
   for (const RegionPart &part : parts_) {
     feet.clear();
-    part.add_feet(aside, wide + steps * (speed + seen.widen), feet);
+    part.add_feet(aside, wide + steps * (speed + course.widen), feet);
     for (const Foot &foot : feet) {
       if (stays.has(foot.face))
         continue;
       const double gap = foot.distance - wide;
-      const double closing = seen.widen + (foot.behind ? -aspi_dot(seen.v, foot.n) : speed);
+      const double closing = course.widen + (foot.behind ? -aspi_dot(course.v, foot.n) : speed);
       if (!(gap > 0))
         return 0;
       if (closing * steps > gap)
@@ -290,7 +280,7 @@ bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
   }
   box.reach = aspi_length(half);
   box.most = 1;
-  return clear(box, asperity::Twist(), FaceList()) < 1;
+  return clear(box, FaceList()) < 1;
 }
 
 /* The acceleration along n that keeps a center at a face, by the face's curve: from the distance

@@ -30,10 +30,8 @@ public:
   void setup();
   void begin_step();
 
-  asperity::Twist screw(double dt) const override;
-  double drift(const asperity::Twist &from, double dt) const override;
-  double clear(const asperity::Course &course, const asperity::Twist &screw,
-               const asperity::FaceList &stays) const override;
+  double travel(double dt) const override;
+  double clear(const asperity::Course &course, const asperity::FaceList &stays) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;

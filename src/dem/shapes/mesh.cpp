@@ -62,32 +62,19 @@ Bounds MeshShape::whole() const {
   return box;
 }
 
-Twist MeshShape::screw(double) const {
-  return motion_.screw();
-}
-
 /* The box moves with the mesh. Within a step the velocity changes from one end to the other. */
-double MeshShape::drift(const Twist &from, double dt) const {
+double MeshShape::travel(double dt) const {
   double most = 0;
   const Bounds box = whole();
-  if (box.lo[0] > box.hi[0] || (!motion_.moves() && from.is_rest()))
-    return 0;
-  for (int corner = 0; corner < 8; corner++) {
-    double x[3], begin[3], end[3], middle[3], v[3], w[3], chord[3];
+  for (int corner = 0; corner < 8 && motion_.moves() && !(box.lo[0] > box.hi[0]); corner++) {
+    double x[3], begin[3], end[3], v[3];
     for (int d = 0; d < 3; d++)
       x[d] = corner >> d & 1 ? box.hi[d] : box.lo[d];
     motion_.frame_at(0).to_world(x, begin);
     motion_.end().to_world(x, end);
-    aspi_subtract(end, begin, chord);
-    aspi_copy(begin, middle);
-    aspi_add_scaled(middle, 0.5, chord, middle);
-    from.velocity(middle, w);
-    aspi_subtract(chord, w, chord);
     motion_.velocity(1, end, v);
-    from.velocity(end, w);
-    aspi_scale(dt, v);
-    aspi_subtract(v, w, v);
-    most = std::max(most, std::max(aspi_length(chord), aspi_length(v)));
+    aspi_subtract(end, begin, begin);
+    most = std::max(most, std::max(aspi_length(begin), dt * aspi_length(v)));
   }
   return 1.5 * most; /* a chord is shorter than its arc */
 }
@@ -121,20 +108,18 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
   return false;
 }
 
-double MeshShape::clear(const Course &course, const Twist &screw, const FaceList &stays) const {
+double MeshShape::clear(const Course &course, const FaceList &stays) const {
   double steps = course.most;
-  for (const Shift &shift : images_ahead(course, screw, steps)) {
+  for (const Shift &shift : images_ahead(course, steps)) {
     Course at = course;
     aspi_subtract(course.x, shift.by, at.x);
     if (!motion_.in_world()) {
       const Frame &frame = motion_.end();
-      at = at.seen_from(screw);
-      const double v[3] = {at.v[0], at.v[1], at.v[2]};
+      const double *v = course.v;
       frame.to_body(at.x, at.x);
       for (int j = 0; j < 3; j++)
         at.v[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
-    steps = std::min(steps, at.most);
     steps = std::min(steps, aspi_tree_clear(tree_.get(), at.x, at.v, at.reach, at.widen, steps,
                                             stays.face, stays.count));
   }

@@ -39,10 +39,9 @@ public:
     return tree_.get();
   }
 
-  Twist screw(double dt) const override;
-  double drift(const Twist &from, double dt) const override;
+  double travel(double dt) const override;
   bool may_meet(const double lo[3], const double hi[3]) const override;
-  double clear(const Course &course, const Twist &screw, const FaceList &stays) const override;
+  double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   bool under(int face, const double x[3], const double v[3], double reach,
@@ -101,8 +100,7 @@ private:
   double period_of(const Path &path) const;
   Bounds around(const Path &path, double from, double to, double radius) const;
   const std::vector<Shift> &images(const Bounds &region) const;
-  const std::vector<Shift> &images_ahead(const Course &course, const Twist &screw,
-                                         double &steps) const;
+  const std::vector<Shift> &images_ahead(const Course &course, double &steps) const;
   void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
   void put_tree(ContactTree *tree);
   const ContactList &meet(const Bounds &box, double reach, double margin) const;

@@ -99,20 +99,11 @@ const std::vector<MeshShape::Shift> &MeshShape::images(const Bounds &region) con
 
 /* The images that a sphere may meet on its course in so many steps, which become fewer so that
  * sphere and mesh move by no more than a period: none if they do so in one. */
-const std::vector<MeshShape::Shift> &
-MeshShape::images_ahead(const Course &course, const Twist &screw, double &steps) const {
-  double speed = 0;
-  for (int corner = 0; corner < 8 && !screw.is_rest(); corner++) {
-    double x[3], v[3];
-    for (int d = 0; d < 3; d++)
-      x[d] = corner >> d & 1 ? swept_.hi[d] : swept_.lo[d];
-    screw.velocity(x, v);
-    speed = std::max(speed, aspi_length(v));
-  }
+const std::vector<MeshShape::Shift> &MeshShape::images_ahead(const Course &course,
+                                                             double &steps) const {
   for (int d = 0; d < 3; d++)
     if (period_[d] > 0)
-      steps = std::min(steps, period_[d] / (fabs(course.v[d]) + speed));
+      steps = std::min(steps, period_[d] / (fabs(course.v[d]) + course.widen));
   steps = steps < 1 ? 0 : steps;
-  return images(
-      Bounds::of_path(course.x, course.v, 0, steps, course.reach + steps * (course.widen + speed)));
+  return images(Bounds::of_path(course.x, course.v, 0, steps, course.reach + steps * course.widen));
 }

@@ -114,10 +114,6 @@ void Twist::velocity(const double x[3], double v[3]) const {
   aspi_add_scaled(v, 1, linear, v);
 }
 
-bool Twist::is_rest() const {
-  return !(aspi_dot(angular, angular) + aspi_dot(linear, linear) > 0);
-}
-
 Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}
 
 void Motion::rest() {

@@ -24,7 +24,6 @@ struct Twist {
   double angular[3], linear[3];
   Twist();
   void velocity(const double x[3], double v[3]) const;
-  bool is_rest() const;
 };
 
 class Motion {

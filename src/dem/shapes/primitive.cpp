@@ -48,7 +48,7 @@ bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
   return lo[plane_.axis] <= plane_.at && plane_.at <= hi[plane_.axis];
 }
 
-double PlaneShape::clear(const Course &course, const Twist &, const FaceList &stays) const {
+double PlaneShape::clear(const Course &course, const FaceList &stays) const {
   if (stays.count > 0)
     return course.most;
   const double off = course.x[plane_.axis] - plane_.at, gap = fabs(off) - course.reach;

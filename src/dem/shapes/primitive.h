@@ -25,7 +25,7 @@ public:
     n[plane_.axis] = 1;
     return are_parallel(direction, n);
   }
-  double clear(const Course &course, const Twist &screw, const FaceList &stays) const override;
+  double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override {
     return axis != plane_.axis;
   }

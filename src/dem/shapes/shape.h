@@ -60,9 +60,6 @@ struct Place {
  * a step, for `most` steps. */
 struct Course {
   double x[3], v[3], reach, widen, most;
-
-  /* The same as a body sees it that moves with `body` a step. */
-  Course seen_from(const Twist &body) const;
 };
 
 /* The wall under a center. */
@@ -108,25 +105,18 @@ class Shape {
 public:
   virtual ~Shape() {}
 
-  /* The motion of the shape in this step. One that slides along itself stands still. */
-  virtual Twist screw(double) const {
-    return Twist();
-  }
-
-  /* Distance that a point of the shape moves in this step apart from `screw`, at most. */
-  virtual double drift(const Twist &, double) const {
+  /* Distance that a point of the shape moves in this step of length dt, at most. One that slides
+   * along itself stands still. */
+  virtual double travel(double) const {
     return 0;
-  }
-  double travel(double dt) const {
-    return drift(Twist(), dt);
   }
 
   /* False only if a box cannot meet the shape in its position at the end of the step. */
   virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
 
-  /* Lower bound of the number of steps in which a sphere on this course cannot meet the shape, if
-   * that moves with `screw` a step. The faces at which it stays do not count. */
-  virtual double clear(const Course &course, const Twist &screw, const FaceList &stays) const;
+  /* Lower bound of the number of steps in which a sphere on this course cannot meet the shape where
+   * that is at the end of this step. The faces at which it stays do not count. */
+  virtual double clear(const Course &course, const FaceList &stays) const;
 
   /* True if the shape looks the same to a particle before and after it crosses the periodic edge of
    * the box along an axis. */

@@ -37,9 +37,8 @@ const int LENGTHS = 8;
  * particle. */
 const double STRAY = 2e-3;
 
-/* Distance per step by which a wall that moves may drift from its predicted motion, as a share of
- * that distance; twice as much each time that it has drifted farther. */
-const double DRIFT = 0.25;
+/* Walls may move farther in a step than so far by this factor before predictions are made anew. */
+const double FASTER = 1.2;
 
 /* Largest bend of the path by sustained contacts within a step, as a share of that distance. */
 const double BEND = 0.25;
@@ -50,13 +49,12 @@ const double COMPONENT = 0.577;
 } // namespace
 
 Ahead::Ahead(const Setup &setup, const Memories &rows, bool are_bodies)
-    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), drift_(0), stray_(0), bend_(0) {
-}
+    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), travel_(0), stray_(0),
+      bend_(0) {}
 
 void Ahead::setup(double least) {
   stray_ = STRAY * 0.5 * least;
-  screws_.assign(setup_.shapes.size(), Twist());
-  drift_ = 0;
+  travel_ = 0;
   bend_ = BEND * stray_;
 }
 
@@ -104,13 +102,11 @@ static bool any_due(const int *due, int n, int now) {
 /* Most particles have a valid prediction that they are too far away; it holds while their velocity
  * stays near the predicted one. */
 void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
-  double drift = 0;
-  for (size_t m = 0; m < screws_.size(); m++)
-    drift = std::max(drift, setup_.shapes[m].shape->drift(screws_[m], s.dt));
-  if (drift > drift_) {
-    for (size_t m = 0; m < screws_.size(); m++)
-      screws_[m] = setup_.shapes[m].shape->screw(s.dt);
-    drift_ = std::max(DRIFT * stray_, 2 * drift_);
+  double travel = 0;
+  for (const Member &member : setup_.shapes)
+    travel = std::max(travel, member.shape->travel(s.dt));
+  if (travel > travel_) {
+    travel_ = FASTER * travel;
     clear();
   }
   if (now_ > INT_MAX / 2)
@@ -173,12 +169,12 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
     course.v[d] = v[d] * s.dt;
     course.x[d] = x[d] - course.v[d];
   }
-  course.widen = stray_ + bend_ + FLT_EPSILON * aspi_length(course.v) + drift_;
+  course.widen = stray_ + bend_ + FLT_EPSILON * aspi_length(course.v) + travel_;
   course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
   if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
         std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
   for (size_t m = 0; m < setup_.shapes.size(); m++)
-    course.most = setup_.shapes[m].shape->clear(course, screws_[m], faces(i, m));
+    course.most = setup_.shapes[m].shape->clear(course, faces(i, m));
   return static_cast<int>((1 - ROUNDING) * course.most);
 }

@@ -63,11 +63,10 @@ private:
   /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
    * faces at which it stays. Negative: it counts as near until that step. */
   std::vector<int> due_;
-  std::vector<float> v_;      /* rows of three */
-  std::vector<int64_t> tag_;  /* of whom this is */
-  std::vector<Twist> screws_; /* the motion in a step of each shape, as predictions have it */
-  double drift_;              /* of a shape from it in a step, at most */
-  double stray_;              /* how far a particle may stray from its predicted path in a step */
+  std::vector<float> v_;     /* rows of three */
+  std::vector<int64_t> tag_; /* of whom this is */
+  double travel_;            /* of a shape in a step, at most */
+  double stray_;             /* how far a particle may stray from its predicted path in a step */
   double bend_;
 };
 
