@@ -148,14 +148,12 @@ void Books::check_written(const std::string &wrong) const {
  */
 
 ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
-                         const double normal[3], const double impulse_per_mass[3],
-                         const double v1[3])
+                         const double normal[3], const double impulse_per_mass[3])
     : particle(i), piece(of), mask(s.mask[i]), couple{0, 0, 0}, dissipated(0), eroded(0) {
   aspi_copy(normal, n);
   aspi_add_scaled(center, -s.radius[i], normal, point);
   aspi_copy(impulse_per_mass, impulse);
   aspi_scale(-s.mass[i], impulse);
-  aspi_copy(v1, v_before);
 }
 
 /* Adds to `count` sums of a piece from `first` on. */

@@ -87,18 +87,17 @@ struct Spheres;
 struct ContactLoad {
   int particle; /* -1: a body */
   int piece;
-  int mask;           /* of its groups */
-  double n[3];        /* outward unit normal; 0 for what is stuck, which is held in any direction */
-  double point[3];    /* where it acts */
-  double impulse[3];  /* on the wall */
-  double couple[3];   /* angular momentum to the wall beyond that of the impulse at the point */
-  double v_before[3]; /* of the particle, relative to the wall */
-  double dissipated;  /* energy */
-  double eroded;      /* mass of the wall */
+  int mask;          /* of its groups */
+  double n[3];       /* outward unit normal; 0 for what is stuck, which is held in any direction */
+  double point[3];   /* where it acts */
+  double impulse[3]; /* on the wall */
+  double couple[3];  /* angular momentum to the wall beyond that of the impulse at the point */
+  double dissipated; /* energy */
+  double eroded;     /* mass of the wall */
 
   /* Load of particle i with its center at `center`, from an impulse per mass on the particle. */
   ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
-              const double impulse_per_mass[3], const double v_before[3]);
+              const double impulse_per_mass[3]);
 };
 
 class Shape {

@@ -127,7 +127,7 @@ struct Resting {
   void find(const double v[3], const double spin[3]);
   bool find_once(const double v[3], const double spin[3]);
   /* Notes and counts what has held it. */
-  void keep(const double before[3], const double v[3], const double spin[3]);
+  void keep(const double v[3], const double spin[3]);
 };
 
 bool Resting::find_once(const double v[3], const double spin[3]) {
@@ -181,7 +181,7 @@ void Resting::find(const double a[3], const double alpha[3]) {
   } while (!find_once(v, spin) && !stuck.wall);
 }
 
-void Resting::keep(const double before[3], const double v[3], const double spin[3]) {
+void Resting::keep(const double v[3], const double spin[3]) {
   const Mover &mover = flight.mover;
   for (Stepper *wall : walls) {
     const AtWall of = mover.at(*wall);
@@ -209,10 +209,9 @@ void Resting::keep(const double before[3], const double v[3], const double spin[
       rest.face = held[k].face;
       aspi_copy(support.p, rest.push);
       aspi_scale(1 / flight.dt, rest.push);
-      aspi_subtract(before, support.w, u);
       ContactLoad load = mover.load(
           held[k].sphere, piece_of(held[k].face), held[k].center, support.n, flight.path.x,
-          support.p, support.hold > 0 ? (mover.is_ball ? support.turn : turned) : NULL, u);
+          support.p, support.hold > 0 ? (mover.is_ball ? support.turn : turned) : NULL);
       load.dissipated = mover.mass * slide_work(mover, support, v, spin);
       wall->books.add_load(held[k].shape, load);
     }
@@ -246,7 +245,7 @@ bool hold_resting(const Walls &walls, Flight &flight, const double alpha[3], dou
     holds = solve_supports(flight.mover, Supports(resting.supports, resting.count), v, spin);
   if (!holds) /* walls that close: the next flight finds out */
     resting.count = 0;
-  resting.keep(before, v, spin);
+  resting.keep(v, spin);
   if (!holds) {
     aspi_copy(v, flight.begin);
     return false;
@@ -334,7 +333,7 @@ static void balance(Stepper &wall, const Mover &mover, const double x[3], const 
   const double p[3] = {change * n[0], change * n[1], change * n[2]};
   aspi_add_scaled(v, 1, p, v);
   wall.books.add_load(static_cast<size_t>(rebound.shape),
-                      mover.load(0, static_cast<int>(rebound.piece), x, n, x, p, NULL, NONE));
+                      mover.load(0, static_cast<int>(rebound.piece), x, n, x, p, NULL));
 }
 
 /* ---- movers -----------------------------------------------------------------------------------

@@ -57,9 +57,6 @@ void Site::find_face() {
   const double forward[3] = {0, 0, 0};
   double lay[3], point[3], along[3];
   const asp_particle here = particle(lay);
-  double length = asp_wall_face_length(of, &here, forward, contact.n);
-  if (!(length > 0))
-    return;
   const double now = wall.setup.time(static_cast<double>(flight.step)) - flight.path.left;
   aspi_copy(contact.x, point);
   aspi_add_scaled(point, -one.radius, contact.n, point);
@@ -69,11 +66,16 @@ void Site::find_face() {
     wall.setup.box.bring_near(point, face->at);
     aspi_subtract(point, face->at, along);
     aspi_add_scaled(along, -aspi_dot(along, contact.n), contact.n, along);
-    if (here.lay)
-      length = asp_wall_face_length(of, &here, along, contact.n);
+    const double length =
+        here.lay ? asp_wall_face_length(of, &here, along, contact.n) : face->length;
     is_new = moved = aspi_dot(along, along) >= length * length;
-  } else
+  } else {
+    const double length = asp_wall_face_length(of, &here, forward, contact.n);
+    if (!(length > 0))
+      return;
     face = &memory.new_face();
+    face->length = length;
+  }
   if (is_new) {
     face->sphere = static_cast<double>(one.tag);
     aspi_copy(point, face->at);
@@ -117,7 +119,7 @@ bool Site::is_low() {
 void Site::lose_bounce() const {
   const double none[3] = {0, 0, 0}, v_n = approach();
   ContactLoad load =
-      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, none, NULL, v1);
+      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, none, NULL);
   load.dissipated = 0.5 * mover.mass * v_n * v_n / mover.response(arm, contact.n);
   wall.books.add_load(touch.shape, load);
 }
@@ -138,7 +140,7 @@ void Site::brake(const double to[3], const double spin[3]) {
   aspi_subtract(to, v1, p);
   aspi_subtract(spin, flight.spin, turned);
   ContactLoad load =
-      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, p, turned, v1);
+      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, p, turned);
   load.dissipated = mover.mass * (mover.energy(v1, flight.spin) - mover.energy(to, spin));
   wall.books.add_load(touch.shape, load);
   aspi_copy(to, v1);

@@ -362,11 +362,10 @@ void Flight::settle() {
   for (size_t k = 0; k < sustained.size(); k++) {
     const Touch &touch = sustained[k].touch;
     const Support &s = supports[k];
-    double u[3], turned[3];
-    aspi_subtract(free_half, touch.contact.v_wall, u);
+    double turned[3];
     mover.twist(s.arm, s.p, turned);
     ContactLoad load = mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, path.x,
-                                  s.p, s.hold > 0 ? (mover.is_ball ? s.turn : turned) : NULL, u);
+                                  s.p, s.hold > 0 ? (mover.is_ball ? s.turn : turned) : NULL);
     load.dissipated = mover.mass * slide_work(mover, s, half, spin);
     touch.wall->books.add_load(touch.shape, load);
     aspi_add_scaled(settled, 1, s.p, settled);
@@ -389,9 +388,8 @@ void Flight::give_rest(const Touch &touch, const double end[3]) const {
   for (const Event &event : events)
     for (int d = 0; d < 3; d++)
       rest[d] -= event.result.v2[d] - event.v1[d];
-  touch.wall->books.add_load(touch.shape,
-                             mover.load(touch.sphere, touch.contact.piece, touch.contact.x, NONE,
-                                        path.x, rest, NULL, NONE));
+  touch.wall->books.add_load(touch.shape, mover.load(touch.sphere, touch.contact.piece,
+                                                     touch.contact.x, NONE, path.x, rest, NULL));
 }
 
 /* The walls leave no room: the mover goes with them, in their middle, and none of the impacts in

@@ -65,6 +65,7 @@ struct FacePlace {
   double normal[3];     /* of the mean wall, at the last contact */
   double time;          /* of the last contact */
   double start, height; /* an asp_valley; 0: not drawn yet */
+  double length;        /* of the face, where the wall has no lay */
 };
 
 /* A body's axes at the end of a step, from 1. */

@@ -213,10 +213,9 @@ asp_body Mover::core_body(const double at[3]) const {
 /* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
  * mover has lost. */
 ContactLoad Mover::load(size_t k, int piece, const double center[3], const double n[3],
-                        const double x[3], const double change[3], const double turned[3],
-                        const double v_before[3]) const {
+                        const double x[3], const double change[3], const double turned[3]) const {
   double lever[3], momentum[3];
-  ContactLoad made(view(k), row(), piece, center, n, change, v_before);
+  ContactLoad made(view(k), row(), piece, center, n, change);
   made.particle = body ? -1 : i;
   if (!turned)
     return made;

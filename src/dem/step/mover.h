@@ -110,8 +110,7 @@ public:
   /* The load of a sphere's contact, with its center at `center` and that of the mover at x, by the
    * changes of the velocity and of the spin; NULL: the spin that the impulse at the point gives. */
   ContactLoad load(size_t k, int piece, const double center[3], const double n[3],
-                   const double x[3], const double change[3], const double turned[3],
-                   const double v_before[3]) const;
+                   const double x[3], const double change[3], const double turned[3]) const;
 
 private:
   BodySphere own_; /* of a grain */

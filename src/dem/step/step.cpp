@@ -236,7 +236,7 @@ asp_particle Site::particle(double lay[3]) {
 Event Site::event(double hits) const {
   const double none[3] = {0, 0, 0};
   Event event(&wall, mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x,
-                                none, NULL, v1));
+                                none, NULL));
   event.shape = touch.shape;
   event.contact = contact;
   aspi_copy(v1, event.v1);
@@ -259,8 +259,8 @@ void Site::finish(Event &event) const {
   double change[3], turned[3];
   aspi_subtract(result.v2, event.v1, change);
   aspi_subtract(result.omega, event.omega1, turned);
-  event.load = mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, change,
-                          turned, event.v1);
+  event.load =
+      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, change, turned);
   event.load.dissipated =
       mover.mass * (mover.energy(event.v1, event.omega1) - mover.energy(result.v2, result.omega));
   event.load.eroded = mover.mass * result.eroded;
@@ -389,7 +389,7 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
     event.result.hits = 1;
     aspi_scale(1 + e, points[k].p);
     event.load = mover.load(touches[k].sphere, touches[k].contact.piece, touches[k].contact.x,
-                            touches[k].contact.n, flight.path.x, points[k].p, NULL, event.v1);
+                            touches[k].contact.n, flight.path.x, points[k].p, NULL);
     event.load.dissipated =
         share * mover.mass *
         (mover.energy(event.v1, flight.spin) - mover.energy(event.result.v2, spin));

@@ -48,7 +48,7 @@ static void add_load(const Stepper &wall, const Mover &mover, const Stuck &at, s
   aspi_add_scaled(center, 1, x, center);
   wall.books.add_load(
       static_cast<size_t>(at.shape) - 1,
-      mover.load(sphere, static_cast<int>(at.piece), center, NONE, x, change, turn, NONE));
+      mover.load(sphere, static_cast<int>(at.piece), center, NONE, x, change, turn));
 }
 
 static Stuck &note(const Touch &touch, const Mover &mover) {
