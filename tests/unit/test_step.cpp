@@ -195,7 +195,7 @@ void valleys_get_what_grains_lose(void **) {
   add_momenta(grains, about, -1, lost);
   for (double of : lost)
     scale = std::max(scale, fabs(of));
-  assert_true(wall->books.counter(Books::N_IMPACTS) > n && lie > n / 10 && lie < n);
+  assert_true(wall->books.counter(Books::N_IMPACTS) > n && lie > n / 20 && lie < n);
   for (int k = 0; k < 6; k++)
     assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) <
                 (k < 3 ? 1e-11 : 1e-7) * scale);
