@@ -290,6 +290,7 @@ typedef struct asp_keyword {
   const char
       *unit;     /* of a number: its kind, as "length", "degrees", "" for none; NULL: no number */
   size_t number; /* 0: no number that get and set know; else for the library's own use */
+  size_t flag;   /* for the library's own use */
   double fallback, least, most;
   bool above; /* it must be more than `least` */
   bool whole;

@@ -44,12 +44,6 @@ static void add_number(line *l, double value) {
   add_word(l, text);
 }
 
-static void add_length(line *l, const asp_description *d, double value) {
-  char text[32];
-  print_value(d, value, "length", text);
-  add_word(l, text);
-}
-
 /* `fit=START` of an unknown one. */
 static void add_value(line *l, const asp_description *d, const char *name, const char *kind,
                       double value) {
@@ -58,20 +52,26 @@ static void add_value(line *l, const asp_description *d, const char *name, const
   add_word(l, !aspi_is_fit(d, name) ? text + strlen("fit=") : isnan(value) ? "fit" : text);
 }
 
-static void add_pair(line *l, const char *name, double value) {
+/* A keyword within another one, with its number or its choice. */
+static void add_keyword(line *l, const asp_description *d, const char *within, const char *name) {
+  const asp_keyword *k = aspi_keyword_find(within, name);
+  char word[20];
   add_word(l, name);
-  add_number(l, value);
+  if (k->number)
+    add_value(l, d, name, k->unit, asp_description_get(d, name));
+  if (k->flag && *k->values) {
+    aspi_keyword_choice(k, d, word);
+    add_word(l, word);
+  }
 }
 
-/* A number of the description with its name. */
-static void add_known_or_fit(line *l, const asp_description *d, const char *name) {
-  add_word(l, name);
-  bool length = strcmp(name, "rq") == 0 || strcmp(name, "lambda_c") == 0;
-  add_value(l, d, name,
-            length                              ? "length"
-            : strcmp(name, "yield_stress") == 0 ? "stress"
-                                                : "",
-            asp_description_get(d, name));
+/* Those within one that are given and have a value. */
+static void add_given(line *l, const asp_description *d, const char *within) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const asp_keyword *k = asp_keyword_at(i);
+    if (strcmp(k->within, within) == 0 && (k->number || k->flag) && aspi_is_given(d, k->name))
+      add_keyword(l, d, within, k->name);
+  }
 }
 
 /* In quotes where it would not be one word. */
@@ -103,15 +103,15 @@ static void add_surface(line *l, const asp_description *d) {
     add_word(l, "smooth");
     break;
   case ASPI_SIGMA:
-    add_known_or_fit(l, d, "sigma");
+    add_keyword(l, d, "surface", "sigma");
     if (d->lambda_c > 0)
-      add_known_or_fit(l, d, "lambda_c");
+      add_keyword(l, d, "surface", "lambda_c");
     break;
   case ASPI_GAUSSIAN:
-    add_known_or_fit(l, d, "rq");
-    add_known_or_fit(l, d, "lambda_c");
+    add_keyword(l, d, "surface", "rq");
+    add_keyword(l, d, "surface", "lambda_c");
     if (d->lay != ASP_LAY_NONE)
-      add_length(l, d, d->lambda_along);
+      add_value(l, d, "", "length", d->lambda_along);
     break;
   case ASPI_PROFILE:
   case ASPI_MAP:
@@ -120,7 +120,7 @@ static void add_surface(line *l, const asp_description *d) {
   }
   add_lay(l, d);
   if (aspi_is_given(d, "dp_bins"))
-    add_pair(l, "dp_bins", d->bins);
+    add_keyword(l, d, "surface", "dp_bins");
 }
 
 static void add_spread(line *l, const asp_description *d) {
@@ -129,8 +129,7 @@ static void add_spread(line *l, const asp_description *d) {
   add_word(l, "spread");
   add_word(l, d->choice.spread->name);
   add_word(l, d->choice.isotropic ? "isotropic" : "plane");
-  add_word(l, "collisions");
-  add_word(l, d->choice.multiple ? "multiple" : "single");
+  add_keyword(l, d, "spread", "collisions");
 }
 
 static void add_parameter(line *l, const asp_description *d, const asp_parameter *p, double value) {
@@ -184,8 +183,7 @@ static void add_rebound(line *l, const asp_description *d) {
   if (of->needs_table)
     add_name(l, d->table);
   add_parameters(l, d, &(law_numbers){of->parameters, of->n_parameters, values, values});
-  if (d->choice.scatter_twice)
-    add_word(l, "scatter_twice");
+  add_given(l, d, "rebound");
 }
 
 static void add_constants(line *l, const asp_description *d) {
@@ -201,7 +199,7 @@ static void add_constants(line *l, const asp_description *d) {
   static const char *const numbers[] = {"friction", "surface_energy", "yield_stress"};
   for (int i = 0; i < 3; i++)
     if (aspi_is_given(d, numbers[i]))
-      add_known_or_fit(l, d, numbers[i]);
+      add_keyword(l, d, "", numbers[i]);
 }
 
 static void add_deposit(line *l, const asp_description *d) {
@@ -209,20 +207,14 @@ static void add_deposit(line *l, const asp_description *d) {
   add_word(l, asp_description_word(d, "deposit"));
   if (aspi_is_given(d, "remove"))
     add_word(l, "remove");
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
-    if (strcmp(k->within, "remove") != 0 || !aspi_is_given(d, k->name))
-      continue;
-    add_word(l, k->name);
-    add_value(l, d, k->name, k->unit, asp_description_get(d, k->name));
-  }
+  add_given(l, d, "remove");
 }
 
 static void add_grain(line *l, const asp_description *d) {
   if (!(d->choice.lever > 0))
     return;
   add_word(l, "grain");
-  add_known_or_fit(l, d, "lever");
+  add_keyword(l, d, "grain", "lever");
 }
 
 static void add_erosion(line *l, const asp_description *d) {
@@ -234,10 +226,9 @@ static void add_erosion(line *l, const asp_description *d) {
   add_word(l, of->name);
   add_parameters(l, d,
                  &(law_numbers){of->parameters, of->n_parameters, erosion->given, erosion->si});
-  if (erosion->density > 0)
-    add_pair(l, "density", erosion->density);
-  add_word(l, "face");
-  add_word(l, erosion->tilted ? "tilted" : "mean");
+  if (aspi_is_given(d, "density"))
+    add_keyword(l, d, "erosion", "density");
+  add_keyword(l, d, "erosion", "face");
 }
 
 size_t asp_description_text(const asp_description *d, char *text, size_t size) {
@@ -251,7 +242,7 @@ size_t asp_description_text(const asp_description *d, char *text, size_t size) {
   add_deposit(&l, d);
   add_grain(&l, d);
   add_erosion(&l, d);
-  add_pair(&l, "seed", d->seed);
+  add_keyword(&l, d, "", "seed");
   return l.length;
 }
 

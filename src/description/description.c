@@ -84,11 +84,6 @@ static const asp_keyword *number_find(const char *name) {
   return NULL;
 }
 
-double *aspi_description_number(asp_description *d, const char *name) {
-  const asp_keyword *k = number_find(name);
-  return k ? (double *)((char *)d + k->number) : NULL;
-}
-
 double asp_description_get(const asp_description *d, const char *name) {
   int i = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
   const asp_keyword *k = name && i < 0 ? number_find(name) : NULL;
@@ -129,7 +124,7 @@ static asp_code set_number(asp_description *d, const asp_keyword *k, double valu
   asp_code code = aspi_keyword_check(k, value, error);
   if (code)
     return code;
-  *aspi_description_number(d, k->name) = value;
+  memcpy((char *)d + k->number, &value, sizeof value);
   aspi_set_given(d, k->name);
   if (strcmp(k->within, "surface") == 0) {
     asp_surface_free(d->surface);

@@ -62,7 +62,7 @@ struct asp_description {
 
 int aspi_keyword_count(void);
 
-/* The word `name` within another one, which must be there. */
+/* The word `name` within another one; NULL: it is none. */
 const asp_keyword *aspi_keyword_find(const char *within, const char *name);
 
 /* The words within one, with blanks between; `""` for those of clauses. */
@@ -78,8 +78,8 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
 bool aspi_is_given(const asp_description *d, const char *name);
 void aspi_set_given(asp_description *d, const char *name);
 
-/* The place of a keyword's number; NULL for another name. */
-double *aspi_description_number(asp_description *d, const char *name);
+/* The word that a flag stands for. Writes it to `word`. */
+void aspi_keyword_choice(const asp_keyword *keyword, const asp_description *d, char word[20]);
 
 /* ASP_ERANGE and a message where the file of a wall tells little about spheres of diameter d_p:
  * where they cover under 10 points, or it is under 20 correlation lengths long. */

@@ -27,29 +27,18 @@ static asp_code read_model(aspi_words *r) {
              : aspi_fail_unknown(r->error, "spread model", name, list);
 }
 
-static asp_code take_collisions(aspi_words *r, const char *given) {
-  bool multiple = r->d->choice.multiple = strcmp(given, "multiple") == 0;
-  if (multiple || strcmp(given, "single") == 0)
-    return ASP_OK;
-  return aspi_fail(r->error, ASP_EARG, "collisions is '%.100s'; it must be single or multiple",
-                   given);
-}
-
 static asp_code read_spread(aspi_words *r) {
   asp_description *d = r->d;
+  bool any;
   asp_code code = read_model(r);
-  for (const asp_keyword *k;
-       !code && (k = aspi_words_take_keyword(r, "spread", &code)) != NULL && !code;) {
-    if (strcmp(k->name, "collisions") == 0) {
-      const char *given = aspi_words_word(r, "the value of 'collisions'");
-      code = given ? take_collisions(r, given) : ASP_EARG;
-    } else {
-      d->choice.isotropic = strcmp(k->name, "isotropic") == 0;
-    }
-  }
-  if (!code && aspi_is_given(d, "plane") && aspi_is_given(d, "isotropic"))
-    code = aspi_fail(r->error, ASP_EARG, "'plane' and 'isotropic' are given; it must be one");
-  return code;
+  if (!code)
+    code = aspi_words_values(r, "spread", &any);
+  if (code || !aspi_is_given(d, "plane"))
+    return code;
+  if (aspi_is_given(d, "isotropic"))
+    return aspi_fail(r->error, ASP_EARG, "'plane' and 'isotropic' are given; it must be one");
+  d->choice.isotropic = false;
+  return ASP_OK;
 }
 
 /* A law as its clause reads it. */
@@ -105,6 +94,17 @@ static asp_code read_more(aspi_words *r, law_clause *l, bool *more) {
   return ASP_OK;
 }
 
+/* All that follows: keywords within the clause, and words of the law. */
+static asp_code read_rest(aspi_words *r, law_clause *l, const char *within) {
+  asp_code code = ASP_OK;
+  for (bool more = true, any; more && !code; more = more || any) {
+    code = aspi_words_values(r, within, &any);
+    if (!code)
+      code = read_more(r, l, &more);
+  }
+  return code;
+}
+
 static asp_code read_table(aspi_words *r) {
   asp_description *d = r->d;
   asp_code code = aspi_words_file(r, "the file of 'rebound table'", &d->table);
@@ -134,12 +134,8 @@ static asp_code read_rebound(aspi_words *r) {
   asp_code code = read_parameters(r, &l, "");
   if (!code && of->needs_table)
     code = read_table(r);
-  for (bool more = true; more && !code;) {
-    if (aspi_words_take_once(r, "scatter_twice", &code))
-      r->d->choice.scatter_twice = true;
-    else
-      code = read_more(r, &l, &more);
-  }
+  if (!code)
+    code = read_rest(r, &l, "rebound");
   r->d->of_law = l.given;
   return code;
 }
@@ -149,16 +145,6 @@ static asp_code take_erosion(aspi_words *r, const asp_parameter *p, int index, d
   erosion->given[index] = value;
   erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->d->units);
   return ASP_OK;
-}
-
-static asp_code read_face(aspi_words *r) {
-  const char *given = aspi_words_word(r, "the value of 'face'");
-  if (!given)
-    return ASP_EARG;
-  bool tilted = r->d->choice.erosion.tilted = strcmp(given, "tilted") == 0;
-  if (tilted || strcmp(given, "mean") == 0)
-    return ASP_OK;
-  return aspi_fail(r->error, ASP_EARG, "face is '%.100s'; it must be mean or tilted", given);
 }
 
 static asp_code read_erosion(aspi_words *r) {
@@ -174,15 +160,7 @@ static asp_code read_erosion(aspi_words *r) {
   aspi_erosion_take(erosion, of, &r->d->units);
   law_clause l = {of->parameters, of->n_parameters, false, true, 0, take_erosion};
   code = read_parameters(r, &l, "");
-  for (bool more = true; more && !code;) {
-    if (aspi_words_take_once(r, "face", &code))
-      code = code ? code : read_face(r);
-    else if (aspi_words_take_once(r, "density", &code))
-      code = code ? code : aspi_words_number(r, "erosion", "density", &erosion->density);
-    else
-      code = read_more(r, &l, &more);
-  }
-  return code;
+  return code ? code : read_rest(r, &l, "erosion");
 }
 
 static asp_code read_removal(aspi_words *r) {
@@ -190,9 +168,9 @@ static asp_code read_removal(aspi_words *r) {
   asp_code code = aspi_words_check_units(r, "removal is");
   double joule = aspi_quantity_factor("energy/area", &r->d->units);
   r->d->choice.flow.work = ASPI_REMOVAL_WORK * joule;
-  for (const asp_keyword *k;
-       !code && (k = aspi_words_take_keyword(r, "remove", &code)) != NULL && !code;)
-    code = aspi_words_number(r, "remove", k->name, aspi_description_number(r->d, k->name));
+  bool any;
+  if (!code)
+    code = aspi_words_values(r, "remove", &any);
   if (!code && !aspi_is_given(r->d, "gas_density"))
     code = aspi_fail(r->error, ASP_EARG, "behind 'remove', 'u_tau U gas_density RHO' is expected");
   return code;
@@ -215,38 +193,30 @@ static asp_code read_deposit(aspi_words *r) {
 }
 
 static asp_code read_grain(aspi_words *r) {
-  asp_code code = ASP_OK;
-  if (aspi_words_take(r, "sphere"))
-    return ASP_OK;
-  if (aspi_words_take_once(r, "lever", &code))
-    return aspi_words_number(r, "grain", "lever", &r->d->choice.lever);
+  bool known = aspi_words_take(r, "sphere");
+  asp_code code = known ? ASP_OK : aspi_words_values(r, "grain", &known);
+  if (code || known)
+    return code;
   const char *given = aspi_words_word(r, "the value of 'grain'");
   return given ? aspi_fail(r->error, ASP_EARG, "grain is '%.100s'; it must be sphere or lever S",
                            given)
                : ASP_EARG;
 }
 
+/* Clauses that are more than a number. */
 static const struct {
   const char *name;
-  asp_code (*read)(aspi_words *r); /* NULL: a number */
-} clauses[] = {{"surface", aspi_words_surface},
-               {"spread", read_spread},
-               {"rebound", read_rebound},
-               {"materials", aspi_words_materials},
-               {"friction", NULL},
-               {"surface_energy", NULL},
-               {"yield_stress", NULL},
-               {"deposit", read_deposit},
-               {"grain", read_grain},
-               {"erosion", read_erosion},
-               {"seed", NULL}};
-enum { CLAUSES = sizeof clauses / sizeof *clauses };
+  asp_code (*read)(aspi_words *r);
+} clauses[] = {{"surface", aspi_words_surface}, {"spread", read_spread},
+               {"rebound", read_rebound},       {"materials", aspi_words_materials},
+               {"deposit", read_deposit},       {"grain", read_grain},
+               {"erosion", read_erosion}};
 
-static asp_code read_clause(aspi_words *r, int clause) {
-  const char *name = clauses[clause].name;
-  if (clauses[clause].read)
-    return clauses[clause].read(r);
-  return aspi_words_number(r, "", name, aspi_description_number(r->d, name));
+static asp_code read_clause(aspi_words *r, const asp_keyword *k) {
+  for (size_t i = 0; i < sizeof clauses / sizeof *clauses; i++)
+    if (strcmp(clauses[i].name, k->name) == 0)
+      return clauses[i].read(r);
+  return aspi_words_value(r, k);
 }
 
 /* The clause that a name of a law, a model or a material belongs to; NULL: it is none. */
@@ -297,16 +267,14 @@ asp_code asp_description_read(asp_description *d, int count, const char *const *
     return aspi_fail(error, wrong.code, "%s", wrong.text);
   if (count <= 0 || aspi_words_in_list(words[0], others))
     return ASP_OK;
-  int i = 0;
-  while (i < CLAUSES && strcmp(words[0], clauses[i].name) != 0)
-    i++;
-  asp_code code = i == CLAUSES ? fail_keyword(&r, words[0]) : ASP_OK;
+  const asp_keyword *k = aspi_keyword_find("", words[0]);
+  asp_code code = k ? ASP_OK : fail_keyword(&r, words[0]);
   if (!code && aspi_is_given(d, words[0]))
     code = aspi_fail(&wrong, ASP_EARG, "'%s' is given twice", words[0]);
   if (!code) {
     aspi_set_given(d, words[0]);
-    d->last = clauses[i].name;
-    code = read_clause(&r, i);
+    d->last = k->name;
+    code = read_clause(&r, k);
     *taken = r.next;
   }
   if (!code)

@@ -7,6 +7,7 @@
 #include "base/quantity.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -134,6 +135,41 @@ asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, 
                     : aspi_quantity_check(name, start, k->unit, *value, k->least, k->most, k->above,
                                           r->error);
   return !code && unknown ? aspi_words_add_unknown(r, k->name) : code;
+}
+
+/* The choice of two words that sets a flag. */
+static asp_code read_flag(aspi_words *r, const asp_keyword *k, bool *flag) {
+  char what[60];
+  snprintf(what, sizeof what, "the value of '%s'", k->name);
+  const char *given = *k->values ? aspi_words_word(r, what) : NULL, *second = NULL;
+  *flag = true;
+  if (!*k->values)
+    return ASP_OK;
+  if (!given)
+    return ASP_EARG;
+  second = strrchr(k->values, ' ') + 1;
+  *flag = strcmp(given, second) == 0;
+  size_t length = strcspn(k->values, " ");
+  if (*flag || (strlen(given) == length && strncmp(given, k->values, length) == 0))
+    return ASP_OK;
+  return aspi_fail(r->error, ASP_EARG, "%s is '%.100s'; it must be %.*s or %s", k->name, given,
+                   (int)length, k->values, second);
+}
+
+asp_code aspi_words_value(aspi_words *r, const asp_keyword *k) {
+  void *place = (char *)r->d + k->number + k->flag; /* one of them is 0 */
+  aspi_set_given(r->d, k->name);
+  return k->number ? aspi_words_number(r, k->within, k->name, place)
+         : k->flag ? read_flag(r, k, place)
+                   : ASP_OK;
+}
+
+asp_code aspi_words_values(aspi_words *r, const char *within, bool *any) {
+  asp_code code = ASP_OK;
+  const asp_keyword *k;
+  for (*any = false; !code && (k = aspi_words_take_keyword(r, within, &code)); *any = true)
+    code = code ? code : aspi_words_value(r, k);
+  return code;
 }
 
 asp_code aspi_words_check_units(const aspi_words *r, const char *what) {

@@ -43,6 +43,11 @@ asp_code aspi_words_file(aspi_words *words, const char *what, char **name);
 /* Takes the number of a keyword, with its unit if it has one, or `fit` where it may be that. */
 asp_code aspi_words_number(aspi_words *words, const char *within, const char *name, double *value);
 
+/* Takes the value of a keyword, a number or a flag, to its place; of all that come next within
+ * another one, `any` if there were some. */
+asp_code aspi_words_value(aspi_words *words, const asp_keyword *keyword);
+asp_code aspi_words_values(aspi_words *words, const char *within, bool *any);
+
 /* True if the word given is `fit` or `fit=START` and unknown numbers are allowed; *start is the
  * text of the number: START, NULL for none, else the word. add_unknown: notes the number of that
  * name as unknown. */
