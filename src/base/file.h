@@ -9,8 +9,7 @@
 #include <stdio.h>
 
 /* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds is
- * copied to a temporary file first. A pipe that nothing has open for writing is refused rather than
- * waited for, as is a folder. `-` is standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
+ * copied to a temporary file first. `-` is standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
 FILE *aspi_file_open(const char *path, asp_error *error);
 
 #endif

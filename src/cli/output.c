@@ -5,7 +5,6 @@
 #include "cli/cli.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -13,13 +12,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { LINKS_MOST = 40, SUFFIX_MOST = 40 };
+enum { SUFFIX_MOST = 40 };
 
 typedef struct file {
-  FILE *stream;     /* NULL: closed */
-  const char *path; /* as given */
-  char *target;     /* what is replaced */
-  char *partial;    /* NULL where the stream is written to directly, or once it is closed */
+  FILE *stream; /* NULL: closed */
+  const char *path;
+  char *partial; /* NULL where the stream is written to directly, or once it is closed */
   struct file *next;
 } file;
 
@@ -32,25 +30,6 @@ static void remove_partials(void) {
       unlink(f->partial);
 }
 
-/* Target of a symbolic link, through any chain of links, even if nothing exists there yet. */
-static char *follow_links(const char *path) {
-  char *at = cli_copy(path), link[4096];
-  for (int i = 0; i < LINKS_MOST; i++) {
-    ssize_t length = readlink(at, link, sizeof link - 1);
-    if (length < 0)
-      return at;
-    link[length] = '\0';
-    const char *slash = strrchr(at, '/');
-    int folder = *link == '/' || !slash ? 0 : (int)(slash + 1 - at);
-    size_t size = (size_t)folder + (size_t)length + 1;
-    char *next = cli_allocate(size, 1);
-    snprintf(next, size, "%.*s%s", folder, at, link);
-    free(at);
-    at = next;
-  }
-  cli_fail("cannot write '%s': %s", path, strerror(ELOOP));
-}
-
 /* True if a file must not be replaced by another one: a device, a pipe, standard output. */
 static bool stays(const struct stat *found) {
   struct stat out;
@@ -58,17 +37,13 @@ static bool stays(const struct stat *found) {
                                       out.st_dev == found->st_dev && out.st_ino == found->st_ino);
 }
 
-static FILE *open_partial(file *f, mode_t mode) {
-  size_t size = strlen(f->target) + SUFFIX_MOST;
+static FILE *open_partial(file *f) {
+  size_t size = strlen(f->path) + SUFFIX_MOST;
   char *partial = cli_allocate(size, 1);
-  snprintf(partial, size, "%s.%ld.partial", f->target, (long)getpid());
-  int handle = open(partial, O_WRONLY | O_CREAT | O_EXCL, 0666);
-  if (handle < 0)
-    return NULL;
-  f->partial = partial;
-  if (mode)
-    fchmod(handle, mode);
-  return fdopen(handle, "w");
+  snprintf(partial, size, "%s.%ld.partial", f->path, (long)getpid());
+  FILE *stream = fopen(partial, "wx");
+  f->partial = stream ? partial : NULL;
+  return stream;
 }
 
 FILE *cli_file_open(const char *path) {
@@ -77,13 +52,12 @@ FILE *cli_file_open(const char *path) {
   if (!files)
     atexit(remove_partials);
   struct stat found;
-  bool exists = stat(path, &found) == 0;
   file *f = cli_allocate(1, sizeof *f);
-  *f = (file){.path = path, .target = follow_links(path), .next = files};
-  if (exists && stays(&found))
+  *f = (file){.path = path, .next = files};
+  if (stat(path, &found) == 0 && stays(&found))
     f->stream = S_ISREG(found.st_mode) ? stdout : fopen(path, "w");
   else
-    f->stream = open_partial(f, exists ? found.st_mode & 0777 : 0);
+    f->stream = open_partial(f);
   if (!f->stream)
     cli_fail("cannot write '%s': %s", path, strerror(errno));
   return (files = f)->stream;
@@ -109,7 +83,7 @@ void cli_file_close(FILE *stream) {
   bool bad = fflush(stream) != 0 || ferror(stream);
   if (stream != stdout)
     bad = fclose(stream) != 0 || bad;
-  bad = bad || (f && f->partial && rename(f->partial, f->target) != 0);
+  bad = bad || (f && f->partial && rename(f->partial, f->path) != 0);
   if (bad && !f)
     cli_fail("cannot write standard output: %s", strerror(errno));
   if (bad)

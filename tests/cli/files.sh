@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Files that are read: pipes, in place of every kind of file; pipes that nothing writes to, folders and files
-# that are not there, which are told at once and end with status 2.
+# Files that are read: pipes, in place of every kind of file; folders and files that are not there, which are told at once and end with status 2.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 
@@ -27,13 +26,12 @@ for file in profile uneven materials table impacts data; do
   cmp wanted got || die "$file from a pipe is another one than from a file"
   use $file <({ head -n 1 $file; sleep 0.2; tail -n +2 $file; }) 2> err | grep -v '^#' > got || die "$file, slowly: $(cat err)"
   cmp wanted got || die "$file from a slow pipe is another one than from a file"
-  [ -e pipe ] || mkfifo pipe
-  for other in pipe . nowhere; do
+  for other in . nowhere; do
     status=0
     export asperity; export -f use
     timeout 20 bash -c "use $file $other" > out 2> err || status=$?
     [ $status = 2 ] && [ "$(wc -l < err)" = 1 ] || die "$file that is '$other': exit $status: $(cat err)"
-    case $other in pipe) word='pipe that nothing writes to' ;; .) word='directory' ;; *) word='No such file' ;; esac
+    case $other in .) word='directory' ;; *) word='No such file' ;; esac
     grep -q "'$other'.*$word" err || die "$file that is '$other': $(cat err)"
   done
 done
