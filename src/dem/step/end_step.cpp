@@ -31,9 +31,6 @@ const double GAP = 0.01, OVERLAP = 1e-5, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
 /* Cosine below which two directions are at right angles. */
 const double ACROSS = 1e-9;
 
-/* Faces of all walls at which a mover rests, at most. */
-const size_t MOST = 48;
-
 struct Held {
   Stepper *wall;
   size_t shape, sphere;
@@ -115,32 +112,38 @@ bool meet_face(Flight &flight, const Held &held, const Ground &ground, Touch &to
   return true;
 }
 
+/* What holds a mover; the next one uses the same lists. */
 struct Resting {
-  const Walls &walls;
-  Flight &flight;
-  Held held[MOST];
-  Support supports[MOST];
-  size_t count;
-  Touch stuck; /* wall NULL: it has not */
+  std::vector<Held> held;
+  std::vector<Support> supports;
 
-  /* Finds what holds the mover; v, spin: what it would have without. */
-  void find(const double v[3], const double spin[3]);
-  bool find_once(const double v[3], const double spin[3]);
-  /* Notes and counts what has held it. */
-  void keep(const double v[3], const double spin[3]);
+  /* alpha: the mover's angular acceleration. Changes the flight's velocity and spin to those of the
+   * end of the step, and gives the accelerations that the walls add until the middle of the next
+   * one. True: it has stuck. */
+  bool hold(const Walls &walls, Flight &flight, const double alpha[3], double push[3],
+            double twist[3], Touch &stuck);
+
+private:
+  bool find(const Walls &walls, Flight &flight, const double v[3], const double spin[3],
+            Touch &stuck);
+  void keep(const Walls &walls, const Flight &flight, const double v[3], const double spin[3]);
 };
 
-bool Resting::find_once(const double v[3], const double spin[3]) {
+/* v, spin: what the mover would have without the walls. False: it has hit a face on its way, and
+ * these are others. */
+bool Resting::find(const Walls &walls, Flight &flight, const double v[3], const double spin[3],
+                   Touch &stuck) {
   Mover &mover = flight.mover;
-  count = 0;
+  held.clear();
+  supports.clear();
   for (Stepper *wall : walls) {
     const AtWall of = mover.at(*wall);
     const std::vector<Rest> &rests = of.rests();
     const bool rough =
         !rests.empty() && wall->setup.model.wall() && asp_wall_surface(wall->setup.model.wall());
-    for (size_t k = 0; k < rests.size() && count < MOST; k++) {
+    for (size_t k = 0; k < rests.size(); k++) {
       Ground ground;
-      Held &at = held[count];
+      Held at;
       if (!look_under(flight, rests[k], *wall, v, spin, at, ground))
         continue;
       double hold = 0;
@@ -156,8 +159,10 @@ bool Resting::find_once(const double v[3], const double spin[3]) {
         }
       }
       const double radius = mover.sphere[at.sphere].radius, off = radius - ground.distance;
-      Support &support = supports[count++];
-      support = support_of(mover, *wall, at.shape, at.sphere, ground.n, ground.v_wall, hold);
+      held.push_back(at);
+      supports.push_back(
+          support_of(mover, *wall, at.shape, at.sphere, ground.n, ground.v_wall, hold));
+      Support &support = supports.back();
       aspi_copy(rests[k].push, support.p);
       aspi_scale(flight.dt, support.p);
       const bool counts = off < OVERLAP * radius && fabs(off) > ROUNDED_OFF * radius;
@@ -172,16 +177,9 @@ bool Resting::find_once(const double v[3], const double spin[3]) {
   return true;
 }
 
-void Resting::find(const double a[3], const double alpha[3]) {
-  stuck.wall = NULL;
-  double v[3], spin[3];
-  do {
-    aspi_add_scaled(flight.begin, 0.5 * flight.dt, a, v);
-    aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, spin);
-  } while (!find_once(v, spin) && !stuck.wall);
-}
-
-void Resting::keep(const double v[3], const double spin[3]) {
+/* Notes and counts what has held the mover. */
+void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
+                   const double spin[3]) {
   const Mover &mover = flight.mover;
   for (Stepper *wall : walls) {
     const AtWall of = mover.at(*wall);
@@ -190,7 +188,7 @@ void Resting::keep(const double v[3], const double spin[3]) {
     if (were == 0)
       continue;
     rests.clear();
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < held.size(); k++) {
       const Support &support = supports[k];
       double u[3], turned[3];
       if (held[k].wall != wall)
@@ -222,34 +220,27 @@ void Resting::keep(const double v[3], const double spin[3]) {
   }
 }
 
-/* One mover. alpha: its angular acceleration. Changes the flight's velocity and spin to those of
- * the end of the step, and gives the accelerations that the walls add until the middle of the next
- * one. True: it has stuck. */
-bool hold_resting(const Walls &walls, Flight &flight, const double alpha[3], double push[3],
-                  double twist[3], Touch &stuck) {
-  Resting resting = {walls, flight, {}, {}, 0, Touch()};
+bool Resting::hold(const Walls &walls, Flight &flight, const double alpha[3], double push[3],
+                   double twist[3], Touch &stuck) {
   double before[3], turning[3], v[3], spin[3];
-  const double a[3] = {flight.free[0], flight.free[1], flight.free[2]};
-  resting.find(a, alpha);
+  stuck.wall = NULL;
+  do {
+    aspi_add_scaled(flight.begin, 0.5 * flight.dt, flight.free, before);
+    aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, turning);
+  } while (!find(walls, flight, before, turning, stuck) && !stuck.wall);
   for (int d = 0; d < 3; d++)
     push[d] = twist[d] = 0;
-  stuck = resting.stuck;
   if (stuck.wall)
     return true;
-  aspi_add_scaled(flight.begin, 0.5 * flight.dt, a, before);
-  aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, turning);
   aspi_copy(before, v);
   aspi_copy(turning, spin);
-  bool holds = true;
-  if (resting.count > 0)
-    holds = solve_supports(flight.mover, Supports(resting.supports, resting.count), v, spin);
-  if (!holds) /* walls that close: the next flight finds out */
-    resting.count = 0;
-  resting.keep(v, spin);
-  if (!holds) {
+  if (!supports.empty() && !solve_supports(flight.mover, supports, v, spin)) {
+    held.clear(); /* walls that close: the next flight finds out */
+    keep(walls, flight, v, spin);
     aspi_copy(v, flight.begin);
     return false;
   }
+  keep(walls, flight, v, spin);
   aspi_subtract(v, before, v);
   aspi_subtract(spin, turning, spin);
   aspi_add_scaled(flight.begin, 0.5, v, flight.begin);
@@ -353,7 +344,7 @@ static void balance(Stepper &wall, Bodies &bodies, int i) {
 }
 
 /* A grain that rests at these walls. */
-static void end_one(const Walls &walls, const Spheres &s, int i) {
+static void end_one(const Walls &walls, const Spheres &s, int i, Resting &resting) {
   Mover mover(s, i);
   Flight flight(mover, s, *walls[0]);
   Touch stuck;
@@ -363,7 +354,7 @@ static void end_one(const Walls &walls, const Spheres &s, int i) {
   flight.put_at_end(s.x + at);
   if (s.torque)
     aspi_add_scaled(alpha, 1 / inertia, s.torque + at, alpha);
-  if (hold_resting(walls, flight, alpha, push, twist, stuck))
+  if (resting.hold(walls, flight, alpha, push, twist, stuck))
     leave_stuck(flight, stuck, s);
   count_events(flight);
   if (stuck.wall)
@@ -376,7 +367,7 @@ static void end_one(const Walls &walls, const Spheres &s, int i) {
     aspi_add_scaled(s.torque + at, inertia, twist, s.torque + at);
 }
 
-static void end_one(const Walls &walls, Bodies &bodies, int i) {
+static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting) {
   Body &body = bodies.all[static_cast<size_t>(i)];
   Mover mover(bodies, static_cast<size_t>(i));
   Flight flight(mover, bodies, *walls[0]);
@@ -386,7 +377,7 @@ static void end_one(const Walls &walls, Bodies &bodies, int i) {
   aspi_copy(body.torque, torque);
   aspi_scale(1 / mover.mass, torque);
   mover.spin_of(torque, alpha);
-  const bool sticks = hold_resting(walls, flight, alpha, push, twist, stuck);
+  const bool sticks = resting.hold(walls, flight, alpha, push, twist, stuck);
   body.is_changed = true;
   count_events(flight);
   aspi_copy(flight.begin, body.v);
@@ -402,8 +393,9 @@ static void end_one(const Walls &walls, Bodies &bodies, int i) {
 }
 
 template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
-  std::vector<Near> resting;
+  std::vector<Near> all;
   Walls held_by;
+  Resting resting;
   for (size_t w = 0; w < walls.size(); w++) {
     Members &of = walls[w]->members(kind);
     walls[w]->hold_stuck(kind);
@@ -413,18 +405,18 @@ template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
         for (Stepper *wall : walls)
           is_stuck = is_stuck || wall->members(kind).rows.is_stuck(i);
         if (!is_stuck)
-          resting.push_back(Near{i, static_cast<int>(w)});
+          all.push_back(Near{i, static_cast<int>(w)});
       } else if (of.rows.status(i) == Status::REBOUNDED)
         balance(*walls[w], kind, i);
   }
-  if (!std::is_sorted(resting.begin(), resting.end()))
-    std::sort(resting.begin(), resting.end());
-  for (size_t k = 0; k < resting.size();) {
-    const int i = resting[k].i;
+  if (!std::is_sorted(all.begin(), all.end()))
+    std::sort(all.begin(), all.end());
+  for (size_t k = 0; k < all.size();) {
+    const int i = all[k].i;
     held_by.clear();
-    for (; k < resting.size() && resting[k].i == i; k++)
-      held_by.push_back(walls[resting[k].wall]);
-    end_one(held_by, kind, i);
+    for (; k < all.size() && all[k].i == i; k++)
+      held_by.push_back(walls[all[k].wall]);
+    end_one(held_by, kind, i, resting);
   }
 }
 
