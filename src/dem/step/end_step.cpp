@@ -177,6 +177,18 @@ bool Resting::find(const Walls &walls, Flight &flight, const double v[3], const 
   return true;
 }
 
+/* True if a mover leaves a face that does not press it. */
+bool parts(const Flight &flight, const Held &at, const Support &support, const double v[3],
+           const double spin[3]) {
+  double u[3];
+  if (aspi_dot(support.p, support.n) > 0)
+    return false;
+  aspi_cross(spin, support.arm, u);
+  aspi_add_scaled(u, 1, v, u);
+  aspi_subtract(u, support.w, u);
+  return aspi_dot(u, support.n) * flight.dt > PARTS * flight.mover.sphere[at.sphere].radius;
+}
+
 /* Notes and counts what has held the mover. */
 void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
                    const double spin[3]) {
@@ -190,16 +202,11 @@ void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
     rests.clear();
     for (size_t k = 0; k < held.size(); k++) {
       const Support &support = supports[k];
-      double u[3], turned[3];
-      if (held[k].wall != wall)
+      double turned[3];
+      if (held[k].wall != wall || parts(flight, held[k], support, v, spin))
         continue;
-      mover.twist(support.arm, support.p, turned);
-      aspi_cross(spin, support.arm, u);
-      aspi_add_scaled(u, 1, v, u);
-      aspi_subtract(u, support.w, u);
-      if (!(aspi_dot(support.p, support.n) > 0) &&
-          aspi_dot(u, support.n) * flight.dt > PARTS * mover.sphere[held[k].sphere].radius)
-        continue;
+      if (support.hold > 0 && !mover.is_ball)
+        mover.twist(support.arm, support.p, turned);
       rests.push_back(Rest());
       Rest &rest = rests.back();
       rest.sphere = static_cast<double>(mover.sphere[held[k].sphere].tag);
