@@ -408,10 +408,7 @@ template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
     walls[w]->hold_stuck(kind);
     for (int i : of.touching)
       if (of.rows.status(i) == Status::RESTING) {
-        bool is_stuck = false;
-        for (Stepper *wall : walls)
-          is_stuck = is_stuck || wall->members(kind).rows.is_stuck(i);
-        if (!is_stuck)
+        if (!is_stuck(walls, kind, i))
           all.push_back(Near{i, static_cast<int>(w)});
       } else if (of.rows.status(i) == Status::REBOUNDED)
         balance(*walls[w], kind, i);

@@ -33,6 +33,8 @@ bool is_round(const Body &body, const BodySphere &one) {
 /* ---- what it remembers ------------------------------------------------------------------------
  */
 
+std::vector<Rest> AtWall::NO_RESTS;
+
 bool AtWall::rests_at(int64_t sphere, size_t shape, int face) const {
   for (const Rest &rest : rests())
     if (static_cast<int64_t>(rest.sphere) == sphere &&

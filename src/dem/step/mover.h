@@ -36,9 +36,8 @@ public:
 
   /* The faces at which it rests. */
   std::vector<Rest> &rests() const {
-    static std::vector<Rest> none;
     Memory *of = status() == Status::RESTING ? rows_.find(i_) : NULL;
-    return of ? of->rests : none;
+    return of ? of->rests : NO_RESTS;
   }
   bool rests_at(int64_t sphere, size_t shape, int face) const;
   /* Of more faces than there is room for, those are kept that press. */
@@ -50,6 +49,8 @@ public:
   FacePlace &new_face() const;
 
 private:
+  static std::vector<Rest> NO_RESTS;
+
   Memories &rows_;
   const int i_;
   const size_t spheres_;

@@ -635,15 +635,14 @@ static Spheres bounds(Bodies &bodies) {
 template <class Kind> static void step_movers(const Walls &walls, Kind &kind) {
   std::vector<Near> near;
   Walls near_walls;
-  bool any_stuck = false;
+  const Spheres all = bounds(kind);
   for (size_t w = 0; w < walls.size(); w++) {
     Members &of = walls[w]->members(kind);
     const auto first = static_cast<std::ptrdiff_t>(near.size());
     of.begin_step();
     walls[w]->carry_stuck(kind);
-    of.ahead.find_near(bounds(kind), static_cast<int>(w), near);
+    of.ahead.find_near(all, static_cast<int>(w), near);
     std::inplace_merge(near.begin(), near.begin() + first, near.end());
-    any_stuck = any_stuck || !of.stuck.empty();
   }
   for (size_t k = 0; k < near.size();) {
     const int i = near[k].i;
@@ -651,10 +650,7 @@ template <class Kind> static void step_movers(const Walls &walls, Kind &kind) {
     for (; k < near.size() && near[k].i == i; k++)
       if (near_walls.empty() || near_walls.back() != walls[near[k].wall])
         near_walls.push_back(walls[near[k].wall]);
-    bool stuck = false;
-    for (size_t w = 0; any_stuck && w < walls.size(); w++)
-      stuck = stuck || walls[w]->members(kind).rows.is_stuck(i);
-    if (!stuck)
+    if (!is_stuck(walls, kind, i))
       fly_one(walls, near_walls, kind, i);
   }
 }

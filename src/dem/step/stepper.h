@@ -98,6 +98,16 @@ private:
   void drop_load(StuckOne &at, double share);
 };
 
+/* True if a particle or a body is stuck to a wall. */
+template <class Kind> bool is_stuck(const std::vector<Stepper *> &walls, const Kind &kind, int i) {
+  for (Stepper *wall : walls) {
+    const Members &of = wall->members(kind);
+    if (!of.stuck.empty() && of.rows.is_stuck(i))
+      return true;
+  }
+  return false;
+}
+
 /* All contacts of a step of all walls of a run. */
 void step_walls(const std::vector<Stepper *> &walls, const Spheres &spheres);
 
