@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Files that are read: pipes, in place of every kind of file; folders and files that are not there, which are told at once and end with status 2.
+# Every kind of input file may be a pipe. A folder, or a file that does not exist, ends the command with status 2.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 

@@ -29,7 +29,6 @@ refuses "walls { \".*\" \"$smooth\"; } ledger often;" "ledger"
 refuses "walls { \".*\" \"$smooth\"; } ledgr 100;" "'ledgr'" "ledger"
 refuses "walls { \".*\" \"materials quartz hastelloy-x ledger 100 file x\"; }" "'ledger 100' is neither"
 refuses "walls { \".*\" \"$smooth\"; } ledger 1; fullLedger perhaps;" "fullLedger"
-refuses "walls { \".*\" \"$smooth\"; } ledger 1; ledgerFormat npy;" "ledgerFormat" "unknown"
 
 # Two dimensions.
 box flat "walls { \".*\" \"surface rq 5um lambda_c 40um $smooth\"; }" "sides={ type empty; faces ((0 4 7 3) (2 6 5 1)); } ends { type wall; faces ((1 5 4 0) (3 7 6 2)); }" cells='1 4 4' speed='0 0.3 -0.7'
