@@ -71,9 +71,3 @@ void asperity::momentum_of(const Body &body, const double omega[3], double momen
     aspi_add_scaled(momentum, body.inertia[k] * aspi_dot(omega, body.axes[k]), body.axes[k],
                     momentum);
 }
-
-double asperity::energy_of(const Body &body, const double v[3]) {
-  double omega[3];
-  spin_of(body, omega);
-  return 0.5 * (body.mass * aspi_dot(v, v) + aspi_dot(omega, body.angular_momentum));
-}

@@ -25,9 +25,6 @@ void arm_of(const Body &body, const BodySphere &sphere, double arm[3]);
 void spin_of(const Body &body, double omega[3]);
 void momentum_of(const Body &body, const double omega[3], double momentum[3]);
 
-/* Energy with this velocity of the center of mass. */
-double energy_of(const Body &body, const double v[3]);
-
 } // namespace asperity
 
 #endif
