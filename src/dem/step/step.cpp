@@ -722,9 +722,13 @@ void Members::begin_run(const Setup &setup, const Spheres &s) {
 }
 
 void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
-  for (int i = 0; i < s.n; i++)
-    if (!shape_now.empty() && rows.find(i))
-      renumber(shape_now, rows.state[i], *rows.find(i));
+  for (int i = 0; i < s.n && !shape_now.empty(); i++)
+    if (Memory *of = rows.find(i)) {
+      renumber(shape_now, rows.state[i], *of);
+      for (Stuck &at : of->stuck)
+        if (!(at.shape >= 1)) /* it stays where it is before the engine moves it */
+          aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
+    }
   grains.begin_run(setup, s);
   reorder(s);
 }
