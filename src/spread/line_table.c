@@ -328,8 +328,11 @@ int aspi_line_table_next(const aspi_line_table *table, double alpha1, double the
   double at = copysign(sqrt(fmin(fabs(theta) / ELEVATION_MOST, 1)), theta) * half + half;
   int e = (int)fmin(fmax(at, 0), ELEVATIONS - 2);
   int k = incoming * ELEVATIONS + node_near((aspi_place){e, at - e}, stream);
-  double u = aspi_stream_uniform(stream);
-  *p = fmax(tan(fmin(theta, ELEVATION_MOST)), aspi_quantile(&of_later, table->later[k], u));
+  double u = aspi_stream_uniform(stream), flight = tan(fmin(theta, ELEVATION_MOST));
+  double unseen = aspi_quantiles_below(&of_later, table->later[k], flight);
+  if (u < unseen) /* no such face is hit: one is drawn of those that are */
+    u = unseen + (1 - unseen) * (u / unseen);
+  *p = fmax(flight, aspi_quantile(&of_later, table->later[k], u));
   *q = draw_side(table, ANGLES + k, u, stream);
   return ANGLES + k;
 }

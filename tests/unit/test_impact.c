@@ -220,6 +220,26 @@ static void grazing_to_the_last_bit(void **state) {
   }
 }
 
+/* No face lies exactly along a flight, where rounding would say if it is hit. */
+static void faces_are_hit_or_not(void **state) {
+  (void)state;
+  setup s = setup_create("profile", "constant", 0.6);
+  s.choice.multiple = true;
+  remake(&s);
+  const asp_particle one = {.d_p = 0.01, .density = 2650, .pair = &quartz_on_nickel};
+  for (uint64_t k = 0; k < 20000; k++) {
+    double alpha = 0.02 + 1.5 * (double)(k % 997) / 997;
+    double v[3] = {cos(alpha), 0, -sin(alpha)};
+    double near[3] = {(1 - 3e-11) * v[0], 0, (1 + 3e-11) * v[2]};
+    const asp_key key = {1, 1, k, 1};
+    asp_impact a, b;
+    asp_wall_impact(s.wall, &one, v, up, &key, &a);
+    asp_wall_impact(s.wall, &one, near, up, &key, &b);
+    assert_int_equal(a.hits, b.hits);
+  }
+  setup_free(&s);
+}
+
 /* What a particle that stays loses per face. Small slopes p with E p = s sqrt(pi/2), E p^2 = 2 s^2:
  * its approach is p alone, or where both sides of a trough touch, the sum of two. */
 static void kinks_turn_by_both_sides(void **state) {
@@ -402,6 +422,7 @@ int main(void) {
       cmocka_unit_test(sliding),
       cmocka_unit_test(nearly_normal_impacts_keep_energy),
       cmocka_unit_test(grazing_to_the_last_bit),
+      cmocka_unit_test(faces_are_hit_or_not),
       cmocka_unit_test(kinks_turn_by_both_sides),
       cmocka_unit_test(a_wall_outlives_a_bad_choice),
       cmocka_unit_test(many_impacts_are_single_ones),
