@@ -41,7 +41,7 @@ public:
   }
 
   /* Those that may meet walls one by one. */
-  virtual Spheres spheres() const {
+  Spheres spheres() const {
     const auto *atom = program_->atom;
     Spheres s;
     s.step = program_->update->ntimestep;
@@ -89,45 +89,31 @@ public:
   virtual void fail_alone(const std::string &what) const = 0;
   /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
   virtual void set_rows() = 0;
-  /* Whether there are bodies, and whether a particle is part of one: then it meets no wall alone.
-   */
-  virtual bool any_bodies() const {
-    return false;
+  /* The engine's bodies; NULL: it has none. */
+  virtual BodySource *bodies() {
+    return NULL;
   }
-  virtual bool is_of_body(int) const {
-    return false;
-  }
-  Spheres spheres() const override {
+  /* Moves the wall to the end of the step. */
+  virtual void begin_step() = 0;
+
+  Spheres spheres() {
     Spheres s = Host::spheres();
-    if (!any_bodies())
+    const BodySource *of = bodies();
+    if (!of || !of->any())
       return s;
     masks_.assign(s.mask, s.mask + s.n);
     for (int i = 0; i < s.n; i++)
-      if (is_of_body(i))
+      if (of->has(i))
         masks_[static_cast<size_t>(i)] = 0;
     s.mask = masks_.data();
     return s;
   }
 
-  /* The bodies of this rank; NULL: there are none. put: takes them back, at the end of a step with
-   * other velocities and forces. Collective. */
-  virtual Bodies *bodies() {
-    return NULL;
-  }
-  virtual void put_bodies(bool) {}
   /* At the beginning of a run, and after particles have moved between ranks. Collective. */
-  virtual void list_bodies(bool) {}
-  /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
-  virtual std::string remedy() const {
-    return "";
+  void list_bodies(bool begins) {
+    if (leads() && bodies())
+      bodies()->list(steppers(), begins);
   }
-  /* Lists the bodies that the wall deletes; collective. And true for an atom of one. */
-  virtual void list_deleted_bodies() {}
-  virtual bool is_of_deleted_body(int) const {
-    return false;
-  }
-  /* Moves the wall to the end of the step. */
-  virtual void begin_step() = 0;
 
   /* An Error is one of all ranks; anything else may be of this one, for which the others wait. */
   template <class Action> void attempt(Action action) const {
@@ -234,14 +220,15 @@ public:
         fix->begin_step();
         walls.push_back(&fix->wall);
       }
-      Bodies *all = bodies();
+      Bodies *all = take_bodies();
       if (all && all->begins) /* the run */
         warn_of_bodies(*all);
       Wall::step(walls, this->spheres(), all);
     } catch (const std::exception &wrong) {
       fail_alone(message_of(wrong));
     }
-    put_bodies(false);
+    if (bodies())
+      bodies()->put(false);
     for (WallFix *fix : siblings_) {
       if (!fix->deletes())
         continue;
@@ -259,10 +246,12 @@ public:
     if (!deletes())
       return 0;
     set_rows();
-    list_deleted_bodies();
+    BodySource *of = siblings_.front()->bodies();
+    if (of)
+      of->list_deleted(wall.stepper.body_rows);
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
-      if (wall.stepper.rows.status(i) == Status::TO_DELETE || is_of_deleted_body(i)) {
+      if (wall.stepper.rows.status(i) == Status::TO_DELETE || (of && of->is_deleted(i))) {
         atom->avec->copy(atom->nlocal - 1, i, 1);
         atom->nlocal--;
         mine++;
@@ -287,8 +276,9 @@ public:
       fix->set_rows();
       walls.push_back(&fix->wall);
     }
-    Wall::hold(walls, this->spheres(), bodies());
-    put_bodies(true);
+    Wall::hold(walls, this->spheres(), take_bodies());
+    if (bodies())
+      bodies()->put(true);
   }
 
   void end_run() {
@@ -327,14 +317,18 @@ public:
   }
 
 protected:
-  void warn_of_bodies(const Bodies &bodies) {
+  void warn_of_bodies(const Bodies &all) {
     const MPI_Comm world = this->program_->world;
     const size_t saved = is_continued_ ? wall.stepper.body_rows.restored() : 0;
     is_continued_ = false;
     for (const std::string &doubt :
-         {turn_doubt(bodies, remedy(), world), count_doubt(bodies, saved, world)})
+         {turn_doubt(all, bodies()->remedy(), world), count_doubt(all, saved, world)})
       if (!doubt.empty())
         this->warn(doubt);
+  }
+
+  Bodies *take_bodies() {
+    return bodies() ? bodies()->take(steppers()) : NULL;
   }
 
   std::vector<Stepper *> steppers() {
@@ -377,9 +371,9 @@ private:
     return false;
   }
 
-  bool has_begun_ = false;         /* begin_run() was called for this run */
-  bool is_continued_ = true;       /* no step yet since a restart */
-  mutable std::vector<int> masks_; /* of the particles, 0 for those of bodies */
+  bool has_begun_ = false;   /* begin_run() was called for this run */
+  bool is_continued_ = true; /* no step yet since a restart */
+  std::vector<int> masks_;   /* of the particles, 0 for those of bodies */
 };
 
 } // namespace asperity

@@ -123,9 +123,11 @@ void BodiesOfLammps::init() {
   }
 }
 
-bool BodiesOfLammps::has_richardson() const {
-  return std::any_of(fixes_.begin(), fixes_.end(),
-                     [](const Fix *fix) { return strcmp(fix->style, "rigid/small") == 0; });
+std::string BodiesOfLammps::remedy() const {
+  const bool richardson = std::any_of(fixes_.begin(), fixes_.end(), [](const Fix *fix) {
+    return strcmp(fix->style, "rigid/small") == 0;
+  });
+  return richardson ? "fix rigid/nve/small, or a time step that is shorter" : "";
 }
 
 Fix *BodiesOfLammps::fix_of(int i) const {
@@ -259,7 +261,7 @@ void BodiesOfLammps::read() {
   }
 }
 
-Bodies *BodiesOfLammps::take() {
+Bodies *BodiesOfLammps::take(const std::vector<asperity::Stepper *> &) {
   if (!any())
     return NULL;
   read();

@@ -15,7 +15,7 @@
 
 namespace LAMMPS_NS {
 
-class BodiesOfLammps {
+class BodiesOfLammps : public asperity::BodySource {
 public:
   BodiesOfLammps(LAMMPS *lammps, Fix *fix) : lammps_(lammps), fix_(fix) {}
 
@@ -24,30 +24,19 @@ public:
 
   /* Before a run: finds the fixes. */
   void init();
-  bool any() const {
+
+  bool any() const override {
     return !fixes_.empty();
   }
-  /* True if bodies turn by Richardson's rule. */
-  bool has_richardson() const;
-  /* True for a particle of a body. */
-  bool has(int i) const {
+  bool has(int i) const override {
     return fix_of(i) != NULL;
   }
-
-  /* Lists the bodies of this rank, with the memories of the walls of a run: at its beginning, and
-   * after particles have moved between ranks. Collective. */
-  void list(const std::vector<asperity::Stepper *> &walls, bool begins);
-
-  /* The bodies after the first half of a step, or at its end; NULL where there are none. put: gives
-   * those that have changed back to the fix and to their particles; at the end of a step only
-   * velocities and forces change. Collective. take throws an asperity::Error. */
-  asperity::Bodies *take();
-  void put(bool is_end);
-
-  /* Lists the bodies of all ranks that this wall deletes; collective. True for a particle of one.
-   */
-  void list_deleted(const asperity::Memories &rows);
-  bool is_deleted(int i) const;
+  void list(const std::vector<asperity::Stepper *> &walls, bool begins) override;
+  asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
+  void put(bool is_end) override;
+  void list_deleted(const asperity::Memories &rows) override;
+  bool is_deleted(int i) const override;
+  std::string remedy() const override;
 
   /* A Row of each particle to its ghosts. */
   int pack(int n, const int *list, double *to) const;

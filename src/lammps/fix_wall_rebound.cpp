@@ -104,38 +104,11 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   void set_rows() override {
     rows.set_rows();
   }
-  bool any_bodies() const override {
-    return of_bodies.any();
-  }
-  bool is_of_body(int i) const override {
-    return of_bodies.has(i);
-  }
-  asperity::Bodies *bodies() override {
-    return of_bodies.take();
-  }
-  void put_bodies(bool is_end) override {
-    of_bodies.put(is_end);
-  }
-  std::string remedy() const override {
-    return of_bodies.has_richardson() ? "fix rigid/nve/small, or a time step that is shorter" : "";
-  }
-  void list_deleted_bodies() override {
-    listed().list_deleted(wall.stepper.body_rows);
-  }
-  bool is_of_deleted_body(int i) const override {
-    return listed().is_deleted(i);
-  }
-  void list_bodies(bool begins) override {
-    if (leads())
-      of_bodies.list(steppers(), begins);
+  asperity::BodySource *bodies() override {
+    return &of_bodies;
   }
   void begin_step() override;
   void follow_step(bigint last);
-
-  /* Those of the first wall, which lists them for all. */
-  BodiesOfLammps &listed() const {
-    return static_cast<Parts *>(siblings_.front())->of_bodies;
-  }
 };
 
 /* The keywords that LIGGGHTS's wall does not have. */

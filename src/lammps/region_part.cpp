@@ -131,13 +131,13 @@ void RegionPart::turn(double share, double axes[3][3], double omega[3]) const {
   asperity::Frame begin = frame_at(share);
   begin.shift[0] = begin.shift[1] = begin.shift[2] = 0;
   for (int k = 0; k < 3; k++) {
-    begin.to_body(axes[k], axes[k]);
+    begin.to_local(axes[k], axes[k]);
     turn_vector(1, axes[k]);
   }
 }
 
-void RegionPart::to_body(double share, double x[3]) const {
-  frame_at(share).to_body(x, x);
+void RegionPart::to_local(double share, double x[3]) const {
+  frame_at(share).to_local(x, x);
 }
 
 /* ---- faces ------------------------------------------------------------------------------------
@@ -147,7 +147,7 @@ bool RegionPart::has(const double x[3]) const {
   double at[3];
   aspi_copy(x, at);
   if (moves_)
-    frame_.to_body(x, at);
+    frame_.to_local(x, at);
   return region_->inside(at[0], at[1], at[2]);
 }
 
@@ -156,7 +156,7 @@ void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoo
   double at[3];
   aspi_copy(x, at);
   if (moves_)
-    frame_.to_body(x, at);
+    frame_.to_local(x, at);
   int n = region_->surface_interior(at, reach);
   const bool inside = n > 0;
   if (!inside)

@@ -63,7 +63,7 @@ public:
 
   /* From the place in the region as it was defined to that at a share of the step, and back. */
   void to_world(double share, double x[3]) const;
-  void to_body(double share, double x[3]) const;
+  void to_local(double share, double x[3]) const;
 
   /* A vector that turns with the region; axes turned from a share of the step to its end, and the
    * angular velocity there. */

@@ -356,7 +356,7 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
   aspi_copy(contact.x, place.at);
   const RegionPart &part = parts_[place.piece];
   if (part.moves())
-    part.to_body(share, place.at);
+    part.to_local(share, place.at);
 }
 
 /* The vector is of the part as it is defined; it turns with the part that is touched. */

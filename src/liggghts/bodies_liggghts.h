@@ -14,35 +14,29 @@
 
 namespace LAMMPS_NS {
 
-class BodiesOfLiggghts : protected Pointers {
+class BodiesOfLiggghts : public asperity::BodySource, protected Pointers {
 public:
   explicit BodiesOfLiggghts(class LAMMPS *engine);
 
-  /* False where there is no fix multisphere. */
-  bool any() const {
+  bool any() const override { /* fix multisphere */
     return fix_ != NULL;
   }
-  /* True for atoms of bodies, and for those of a body that is being taken away. */
-  bool has(int i) const {
+  /* Also of a body that is being taken away. */
+  bool has(int i) const override {
     return fix_ && (fix_->belongs_to(i) >= 0 || fix_->fix_delflag()->vector_atom[i] > 0);
   }
-
-  /* After particles have moved between ranks, or have been put into another order. */
-  void reorder() {
+  /* The fix may send its bodies afterwards: take() lists them. */
+  void list(const std::vector<asperity::Stepper *> &, bool) override {
     is_reordered_ = true;
   }
-
-  /* After the first half of a step or at its end, for these walls. Collective. */
-  asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls);
-
-  /* Gives the bodies that have changed back, with their atoms; at the end of a step only velocities
-   * and forces change. Collective. */
-  void put(bool is_end);
-
-  /* Lists the bodies of all ranks that a wall deletes; collective. True for an atom of one. */
-  void list_deleted(const asperity::Memories &rows);
-  bool is_deleted(int i) const {
+  asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
+  void put(bool is_end) override;
+  void list_deleted(const asperity::Memories &rows) override;
+  bool is_deleted(int i) const override {
     return fix_ && std::binary_search(deleted_.begin(), deleted_.end(), fix_->belongs_to(i));
+  }
+  std::string remedy() const override {
+    return "a time step that is shorter";
   }
 
 private:

@@ -80,36 +80,11 @@ private:
   void fail_alone(const std::string &what) const override;
   void set_rows() override;
   void begin_step() override;
-  asperity::Bodies *bodies() override {
-    return bodies_->take(steppers());
-  }
-  void put_bodies(bool is_end) override {
-    bodies_->put(is_end);
-  }
-  void list_bodies(bool) override {
-    bodies_->reorder();
-  }
-  std::string remedy() const override {
-    return "a time step that is shorter";
-  }
-  void list_deleted_bodies() override {
-    listed().list_deleted(wall.stepper.body_rows);
-  }
-  bool is_of_deleted_body(int i) const override {
-    return listed().is_deleted(i);
-  }
-  bool any_bodies() const override {
-    return bodies_ && bodies_->any();
-  }
-  bool is_of_body(int i) const override {
-    return bodies_->has(i);
+  asperity::BodySource *bodies() override {
+    return bodies_.get();
   }
 
   void check_bodies();
-  /* Those of the first wall, which lists them for all. */
-  BodiesOfLiggghts &listed() const {
-    return *static_cast<FixWallRebound *>(siblings_.front())->bodies_;
-  }
   void read_geometry(asperity::Words &words, std::string &geometry);
   std::string read_meshes(asperity::Words &words);
   class FixPropertyAtom *add_property(const std::string &name, int columns);

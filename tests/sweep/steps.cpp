@@ -201,7 +201,7 @@ bool run(Room &room, double diameters, double impacts) {
       double body[3];
       aspi_copy(&x[3 * i], body);
       if (room.mesh) {
-        room.mesh->motion().end().to_body(&x[3 * i], body);
+        room.mesh->motion().end().to_local(&x[3 * i], body);
         lost += s.step % 16 == 0 && !inside(room.triangles, body);
       } else if (room.half > 0)
         lost += !(aspi_dot(body, body) < 1e30) || std::max(hypot(body[0], body[1]), 0.0) > 1e30 ||

@@ -56,7 +56,7 @@ void test_frames(void **) {
   const Frame frame = frame_at(1.1, 0.4);
   double world[3], back[3];
   frame.to_world(BODY, world);
-  frame.to_body(world, back);
+  frame.to_local(world, back);
   assert_true(distance(back, BODY) < 1e-15);
   assert_true(Frame().is_world() && !frame.is_world());
 }
@@ -130,7 +130,7 @@ void test_follow(void **) {
     double there[3];
     for (int d = 0; d < 3; d++)
       there[d] = x[d] + k * h * v[d] + 0.5 * k * k * h * h * aspi_dot(a, along) * along[d];
-    frame_at(sin(start + k * h), sin(start + k * h)).to_body(there, body);
+    frame_at(sin(start + k * h), sin(start + k * h)).to_local(there, body);
     height[k + 1] = aspi_dot(body, n);
   }
   assert_true(fabs(height[0] - 2 * height[1] + height[2]) < 5e-3 * h * h);

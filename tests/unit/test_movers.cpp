@@ -289,7 +289,7 @@ public:
       if (mesh_) {
         double world[3];
         aspi_copy(x, world);
-        mesh_->motion().end().to_body(world, x);
+        mesh_->motion().end().to_local(world, x);
       }
       if (room_.form == CYLINDER)
         least = std::min(least, room_.wide - hypot(x[1], x[2]) - R);

@@ -88,15 +88,15 @@ bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
     aspi_subtract(lo, shift.by, low);
     aspi_subtract(hi, shift.by, high);
     if (!motion_.in_world()) { /* the box around the box, in the mesh's frame */
-      double corner[3], body[3];
+      double corner[3], local[3];
       double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
       for (int k = 0; k < 8; k++) {
         for (int d = 0; d < 3; d++)
           corner[d] = k >> d & 1 ? high[d] : low[d];
-        motion_.end().to_body(corner, body);
+        motion_.end().to_local(corner, local);
         for (int d = 0; d < 3; d++) {
-          box[0][d] = std::min(box[0][d], body[d]);
-          box[1][d] = std::max(box[1][d], body[d]);
+          box[0][d] = std::min(box[0][d], local[d]);
+          box[1][d] = std::max(box[1][d], local[d]);
         }
       }
       aspi_copy(box[0], low);
@@ -116,7 +116,7 @@ double MeshShape::clear(const Course &course, const FaceList &stays) const {
     if (!motion_.in_world()) {
       const Frame &frame = motion_.end();
       const double *v = course.v;
-      frame.to_body(at.x, at.x);
+      frame.to_local(at.x, at.x);
       for (int j = 0; j < 3; j++)
         at.v[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
@@ -131,23 +131,23 @@ bool MeshShape::repeats(int axis) const {
 }
 
 /* The path as the mesh sees it: straight between its two ends in the mesh's frame. */
-void MeshShape::body_path(const Path &path, const Shift &shift, ContactPath &body) const {
-  double begin[3], end[3], end_in_body[3];
-  body.left = path.left;
+void MeshShape::local_path(const Path &path, const Shift &shift, ContactPath &local) const {
+  double begin[3], end[3], end_local[3];
+  local.left = path.left;
   aspi_subtract(path.x, shift.by, begin);
   if (motion_.in_world()) {
-    aspi_copy(begin, body.x);
-    aspi_copy(path.v, body.v);
+    aspi_copy(begin, local.x);
+    aspi_copy(path.v, local.v);
     return;
   }
   aspi_add_scaled(begin, path.left, path.v, end);
-  motion_.frame_at(path.share()).to_body(begin, body.x);
+  motion_.frame_at(path.share()).to_local(begin, local.x);
   if (path.rest > 0)
-    motion_.frame_at(1 - path.rest / path.dt).to_body(end, end_in_body);
+    motion_.frame_at(1 - path.rest / path.dt).to_local(end, end_local);
   else
-    motion_.end().to_body(end, end_in_body);
-  aspi_subtract(end_in_body, body.x, body.v);
-  aspi_scale(1 / path.left, body.v);
+    motion_.end().to_local(end, end_local);
+  aspi_subtract(end_local, local.x, local.v);
+  aspi_scale(1 / path.left, local.v);
 }
 
 /* All triangles that meet a box within `reach` of its middle, and some that only come near it:
@@ -185,14 +185,14 @@ bool MeshShape::Meeting::has(const Bounds &inner, double inner_reach) const {
 }
 
 /* Cuts the times from..to to those at which the sphere may meet the box of the triangles. */
-bool MeshShape::clip(const ContactPath &body, double radius, double &from, double &to) const {
+bool MeshShape::clip(const ContactPath &local, double radius, double &from, double &to) const {
   const Bounds box = whole();
   for (int d = 0; d < 3; d++) {
-    const double lo = box.lo[d] - 1.001 * radius - body.x[d];
-    const double hi = box.hi[d] + 1.001 * radius - body.x[d];
-    if (body.v[d] > 0 || body.v[d] < 0) {
-      from = std::max(from, std::min(lo / body.v[d], hi / body.v[d]));
-      to = std::min(to, std::max(lo / body.v[d], hi / body.v[d]));
+    const double lo = box.lo[d] - 1.001 * radius - local.x[d];
+    const double hi = box.hi[d] + 1.001 * radius - local.x[d];
+    if (local.v[d] > 0 || local.v[d] < 0) {
+      from = std::max(from, std::min(lo / local.v[d], hi / local.v[d]));
+      to = std::min(to, std::max(lo / local.v[d], hi / local.v[d]));
     } else if (lo > 0 || hi < 0)
       return false;
   }
@@ -202,17 +202,17 @@ bool MeshShape::clip(const ContactPath &body, double radius, double &from, doubl
 /* The first triangle on the path. An edge is met at one instant by all of its triangles: the
  * contact is that of the one with the least number, but with the normal that is nearest to that of
  * a face: on a flat wall, an edge has it only to the rounding of nodes and places. */
-bool MeshShape::find_image(const ContactPath &body, double radius, double from, double latest,
+bool MeshShape::find_image(const ContactPath &local, double radius, double from, double latest,
                            ContactTouch &touch, Places &place) const {
-  const double speed = aspi_length(body.v);
+  const double speed = aspi_length(local.v);
   const double least = PIECE * radius / speed;
-  double most = std::min(latest, body.left), piece = least;
-  if (!(speed > 0) || (piece < most && !clip(body, radius, from, most)))
+  double most = std::min(latest, local.left), piece = least;
+  if (!(speed > 0) || (piece < most && !clip(local, radius, from, most)))
     return false;
   for (;;) {
     const double to = std::min(from + piece, most);
     const double way = speed * (to - from);
-    const ContactList &list = meet(Bounds::of_path(body.x, body.v, from, to, 1.001 * radius),
+    const ContactList &list = meet(Bounds::of_path(local.x, local.v, from, to, 1.001 * radius),
                                    1.001 * radius + 0.5 * way, std::min(way, radius));
     if (list.count > MANY && piece > least) {
       piece = std::max(least, piece / 4);
@@ -222,8 +222,8 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double from, 
     bool found = false;
     for (size_t i = 0; i < list.count; i++) {
       ContactTouch other;
-      const double slack = found ? same_instant(touch, body, radius) : 0;
-      if (!aspi_triangle_find(aspi_tree_triangle(tree, list.item[i]), &body, radius,
+      const double slack = found ? same_instant(touch, local, radius) : 0;
+      if (!aspi_triangle_find(aspi_tree_triangle(tree, list.item[i]), &local, radius,
                               found ? touch.time + slack : to, &other))
         continue;
       const bool same = found && other.time >= touch.time - slack;
@@ -244,19 +244,19 @@ bool MeshShape::find_image(const ContactPath &body, double radius, double from, 
   }
 }
 
-void MeshShape::set_contact(const Path &path, const ContactPath &body, const Shift &shift,
+void MeshShape::set_contact(const Path &path, const ContactPath &local, const Shift &shift,
                             double radius, const ContactTouch &touch, const Places &place,
                             Contact &contact) const {
   double center[3], foot[3], follow[3];
   contact.time = touch.time;
   contact.overlapped = touch.overlapped;
   contact.curve = contact.chord = 0;
-  contact.closing = -aspi_dot(body.v, touch.n);
+  contact.closing = -aspi_dot(local.v, touch.n);
   contact.piece = aspi_tree_id(tree_.get(), place.piece);
   contact.face = aspi_tree_id(tree_.get(), place.face);
   if (touch.edge_sine > EDGE)
     contact.face = ~contact.face;
-  aspi_add_scaled(body.x, touch.time, body.v, center);
+  aspi_add_scaled(local.x, touch.time, local.v, center);
   aspi_add_scaled(center, touch.overlap, touch.n, center);
   aspi_add_scaled(center, -radius, touch.n, foot);
   if (motion_.in_world()) {
@@ -293,7 +293,7 @@ bool MeshShape::under(int face, const double x[3], const double v[3], double rea
     double at[3], foot[3], arm[3], normal[3], other[3];
     aspi_subtract(x, shift.by, at);
     if (!motion_.in_world())
-      motion_.end().to_body(at, at);
+      motion_.end().to_local(at, at);
     int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
     if (place < 0)
       continue;
@@ -350,17 +350,17 @@ bool MeshShape::find_piece(const Path &path, double radius, double from, double 
   bool found = false;
   ContactTouch first;
   for (const Shift &shift : images(around(path, from, latest, radius))) {
-    ContactPath body;
+    ContactPath local;
     ContactTouch touch;
     Places place;
-    body_path(path, shift, body);
-    const double slack = found ? same_instant(first, body, radius) : 0;
-    if (!find_image(body, radius, from, found ? std::min(latest, first.time + slack) : latest,
+    local_path(path, shift, local);
+    const double slack = found ? same_instant(first, local, radius) : 0;
+    if (!find_image(local, radius, from, found ? std::min(latest, first.time + slack) : latest,
                     touch, place))
       continue;
     if (found && touch.time >= first.time - slack && !(touch.edge_sine < first.edge_sine))
       continue;
-    set_contact(path, body, shift, radius, touch, place, contact);
+    set_contact(path, local, shift, radius, touch, place, contact);
     found = true;
     first = touch;
   }

@@ -101,15 +101,15 @@ private:
   Bounds around(const Path &path, double from, double to, double radius) const;
   const std::vector<Shift> &images(const Bounds &region) const;
   const std::vector<Shift> &images_ahead(const Course &course, double &steps) const;
-  void body_path(const Path &path, const Shift &shift, ContactPath &body) const;
+  void local_path(const Path &path, const Shift &shift, ContactPath &local) const;
   void put_tree(ContactTree *tree);
   const ContactList &meet(const Bounds &box, double reach, double margin) const;
-  bool clip(const ContactPath &body, double radius, double &from, double &to) const;
-  bool find_image(const ContactPath &body, double radius, double from, double latest,
+  bool clip(const ContactPath &local, double radius, double &from, double &to) const;
+  bool find_image(const ContactPath &local, double radius, double from, double latest,
                   ContactTouch &touch, Places &place) const;
   bool find_piece(const Path &path, double radius, double from, double latest,
                   Contact &contact) const;
-  void set_contact(const Path &path, const ContactPath &body, const Shift &shift, double radius,
+  void set_contact(const Path &path, const ContactPath &local, const Shift &shift, double radius,
                    const ContactTouch &touch, const Places &place, Contact &contact) const;
   bool walk(Place &place, double radius, double dt) const;
 

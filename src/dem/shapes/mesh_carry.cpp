@@ -29,7 +29,7 @@ void MeshShape::stick(const Path &path, const Contact &contact, Place &place) co
   if (motion_.in_world())
     aspi_copy(contact.x, place.at);
   else
-    motion_.frame_at(path.share() + contact.time / path.dt).to_body(contact.x, place.at);
+    motion_.frame_at(path.share() + contact.time / path.dt).to_local(contact.x, place.at);
 }
 
 /* The vector is of the mesh's own frame, which is the world's when the wall is defined. */
@@ -112,7 +112,7 @@ void MeshShape::turn(const Place &, double share, double, double axes[3][3],
   for (int k = 0; k < 3; k++) {
     double at[3], unit[3] = {0, 0, 0}, v[3], around[3];
     aspi_add_scaled(begin.shift, 1, axes[k], at);
-    begin.to_body(at, at);
+    begin.to_local(at, at);
     end.to_world(at, at);
     aspi_subtract(at, end.shift, axes[k]);
     unit[k] = 1; /* the curl of the velocity */

@@ -83,17 +83,17 @@ Twist screw_between(const Frame &from, const Frame &to) {
 
 Frame::Frame() : turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, shift{0, 0, 0} {}
 
-void Frame::to_world(const double body[3], double world[3]) const {
+void Frame::to_world(const double local[3], double world[3]) const {
   double turned[3];
-  times(turn, body, turned);
+  times(turn, local, turned);
   aspi_add_scaled(turned, 1, shift, world);
 }
 
-void Frame::to_body(const double world[3], double body[3]) const {
+void Frame::to_local(const double world[3], double local[3]) const {
   double arm[3];
   aspi_subtract(world, shift, arm);
   for (int j = 0; j < 3; j++)
-    body[j] = turn[0][j] * arm[0] + turn[1][j] * arm[1] + turn[2][j] * arm[2];
+    local[j] = turn[0][j] * arm[0] + turn[1][j] * arm[1] + turn[2][j] * arm[2];
 }
 
 bool Frame::is_world() const {

@@ -10,16 +10,16 @@
 
 namespace asperity {
 
-/* world = turn * body + shift */
+/* world = turn * local + shift */
 struct Frame {
   double turn[3][3], shift[3];
-  Frame(); /* world and body are the same */
-  void to_world(const double body[3], double world[3]) const;
-  void to_body(const double world[3], double body[3]) const;
+  Frame(); /* world and local frame are the same */
+  void to_world(const double local[3], double world[3]) const;
+  void to_local(const double world[3], double local[3]) const;
   bool is_world() const; /* to the bit */
 };
 
-/* The velocity of a point x of the body is angular x x + linear. */
+/* The velocity of a point x of the shape is angular x x + linear. */
 struct Twist {
   double angular[3], linear[3];
   Twist();
@@ -30,13 +30,13 @@ class Motion {
 public:
   Motion();
 
-  /* Puts the body to rest where it is. */
+  /* Puts the shape to rest where it is. */
   void rest();
 
   /* Puts it to `frame`, as at the beginning of a run, before a step that moves it if `goes_on`. */
   void settle(const Frame &frame, bool goes_on);
 
-  /* The next step, of length dt: from where the body is to `end`, where it has the velocity
+  /* The next step, of length dt: from where the shape is to `end`, where it has the velocity
    * `twist`.
    */
   void advance(const Frame &end, const Twist &twist, double dt);
@@ -51,7 +51,7 @@ public:
     return moves_;
   }
 
-  /* True if the body's frame equals the world's, to the bit, throughout the step. */
+  /* True if the local frame equals the world's, to the bit, throughout the step. */
   bool in_world() const {
     return in_world_;
   }
@@ -69,8 +69,8 @@ public:
   void velocity(double s, const double x[3], double v[3]) const;
 
   /* The acceleration of a point that moves through x with the velocity v and keeps its distance
-   * from a plane of the body, as far as it counts along the plane's normal: with V and omega the
-   * body's velocity at x and its angular velocity, dV/dt + omega x (2 v - V). */
+   * from a plane of the shape, as far as it counts along the plane's normal: with V and omega the
+   * shape's velocity at x and its angular velocity, dV/dt + omega x (2 v - V). */
   void acceleration(double s, const double x[3], const double v[3], double a[3]) const;
 
 private:

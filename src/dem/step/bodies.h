@@ -6,6 +6,7 @@
 #ifndef ASPERITY_DEM_BODIES_H
 #define ASPERITY_DEM_BODIES_H
 
+#include <string>
 #include <vector>
 
 #include "dem/step/stepper.h"
@@ -50,6 +51,27 @@ private:
   std::vector<double> x_, v_, reach_;
   std::vector<int> mask_, type_;
   std::vector<int64_t> tag_;
+};
+
+/* An engine's bodies. Of the walls of a run, the first one's are used for all. */
+class BodySource {
+public:
+  virtual ~BodySource() {}
+  virtual bool any() const = 0;
+  /* True for a particle of a body: it meets no wall alone. */
+  virtual bool has(int i) const = 0;
+  /* At the beginning of a run, and after particles have moved between ranks. Collective. */
+  virtual void list(const std::vector<Stepper *> &walls, bool begins) = 0;
+  /* Those of this rank after the first half of a step, or at its end; NULL: there are none. put:
+   * gives back those that have changed, with their particles; at the end of a step only velocities
+   * and forces change. Collective. take throws an Error. */
+  virtual Bodies *take(const std::vector<Stepper *> &walls) = 0;
+  virtual void put(bool is_end) = 0;
+  /* Lists the bodies of all ranks that a wall deletes; collective. True for a particle of one. */
+  virtual void list_deleted(const Memories &rows) = 0;
+  virtual bool is_deleted(int i) const = 0;
+  /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
+  virtual std::string remedy() const = 0;
 };
 
 /* After bodies have moved between ranks, or have got other numbers, and at the beginning of a run:
