@@ -49,7 +49,5 @@ int AtomRows::save(int i, double *to) const {
 }
 
 void AtomRows::restore(int i, const double *all, int nth) {
-  for (int before = 0; before < nth; before++)
-    all += static_cast<int>(*all);
-  unpack(i, all + 1);
+  unpack(i, Memories::part(all, nth) + 1);
 }

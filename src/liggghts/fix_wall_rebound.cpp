@@ -472,10 +472,7 @@ int FixWallRebound::pack_restart(int i, double *buffer) {
 }
 
 void FixWallRebound::unpack_restart(int i, int nth) {
-  const double *all = atom->extra[i];
-  for (int before = 0; before < nth; before++)
-    all += static_cast<int>(*all);
-  wall.stepper.rows.unpack(i, all);
+  wall.stepper.rows.unpack(i, asperity::Memories::part(atom->extra[i], nth));
 }
 
 int FixWallRebound::size_restart(int i) {

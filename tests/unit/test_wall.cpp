@@ -5,6 +5,7 @@
 #include "alone.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -287,6 +288,37 @@ void idle_walls_are_doubted(void **) {
 
 } // namespace
 
+/* A flow that came with this run takes a body away by the size of the sphere that holds it, not by
+ * that of the body. */
+void flow_takes_bodies_by_their_spheres(void **) {
+  const double d = 1e-5, none[3] = {0, 0, 0};
+  Alone engine;
+  engine.least = engine.most = d;
+  for (double flow : {0.1, 1.0, 10.0, 100.0}) {
+    char words[200];
+    snprintf(words, sizeof words, "materials quartz deposit freeze remove u_tau %g gas_density 1.2",
+             flow);
+    std::unique_ptr<Wall> wall =
+        make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, none)), words);
+    Bodies bodies;
+    Body body = Body();
+    body.count = 2;
+    body.mass = body.inertia[0] = body.inertia[1] = body.inertia[2] = 1;
+    bodies.all.push_back(body);
+    bodies.spheres = {BodySphere{{0, 0, 0}, d / 2, 1, 1, 1}, BodySphere{{1, 0, 0}, d / 2, 1, 1, 2}};
+    Grains grains(1, d / 2, 1e-6);
+    grains.begin({wall.get()});
+    bodies.begins = false;
+    claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+    wall->stepper.body_rows.set_status(0, Status::STUCK);
+    wall->stepper.body_rows.stuck(0).shape = 1;
+    wall->stepper.body_rows.stuck(0).sphere = 1;
+    bodies.begins = true;
+    claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+    assert_int_equal(wall->stepper.body_rows.is_stuck(0), !wall->setup.model.removes(1, 1, d));
+  }
+}
+
 /* A memory comes back as it was packed, its body finds it by its tag, and a wrong one is refused.
  */
 static void memories_come_back(void **) {
@@ -342,6 +374,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(rows_are_in_the_box),
       cmocka_unit_test(idle_walls_are_doubted),
       cmocka_unit_test(memories_come_back),
+      cmocka_unit_test(flow_takes_bodies_by_their_spheres),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -129,6 +129,7 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
 /* The faces of a shape at which a particle rests: its way ends at them, but in the first step of a
  * run, for which no wall has held it. */
 FaceList Ahead::faces(int i, size_t shape) const {
+  static_assert(RESTS_MOST <= sizeof(FaceList::face) / sizeof(int), "all rests are faces");
   FaceList faces = {0, {0, 0, 0}};
   const Memory *of = rows_.find(i);
   if (are_bodies_ || !(now_ > 1) || rows_.status(i) != Status::RESTING || !of)

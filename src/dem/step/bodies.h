@@ -30,7 +30,7 @@ struct Body {
   bool is_led;         /* its engine moves it along a given way: it meets no wall */
   bool is_changed;     /* by contacts */
   double reach;        /* radius of the sphere about its center of mass that has all of it */
-  int mask, type;      /* of its spheres: all groups, the last type */
+  int mask;            /* of all groups of its spheres */
 };
 
 /* The bodies of this rank. */
@@ -49,7 +49,7 @@ public:
 
 private:
   std::vector<double> x_, v_, reach_;
-  std::vector<int> mask_, type_;
+  std::vector<int> mask_;
   std::vector<int64_t> tag_;
 };
 

@@ -38,14 +38,6 @@ struct Held {
   double center[3];
 };
 
-/* The number of a sphere, or how many there are. */
-size_t number_of(const Mover &mover, double tag) {
-  size_t k = 0;
-  while (k < mover.count && static_cast<double>(mover.sphere[k].tag) != tag)
-    k++;
-  return k;
-}
-
 int piece_of(int face) {
   return face < 0 ? ~face : face;
 }
@@ -57,7 +49,7 @@ bool look_under(const Flight &flight, const Rest &rest, Stepper &wall, const dou
   double arm[3], u[3];
   held.wall = &wall;
   held.shape = static_cast<size_t>(rest.shape) - 1;
-  held.sphere = number_of(mover, rest.sphere);
+  held.sphere = mover.number_of(rest.sphere);
   if (held.sphere == mover.count || held.shape >= wall.setup.shapes.size())
     return false;
   mover.arm(held.sphere, arm);

@@ -119,6 +119,18 @@ const Spheres &Mover::view(size_t k) const {
   return view_;
 }
 
+size_t Mover::number_of(double tag) const {
+  size_t k = 0;
+  while (k < count && static_cast<double>(sphere[k].tag) != tag)
+    k++;
+  return k;
+}
+
+const BodySphere &Mover::anchor(const Stuck &at) const {
+  const size_t k = number_of(at.sphere);
+  return sphere[k < count ? k : 0];
+}
+
 bool Mover::is_central(size_t k) const {
   return is_ball || aspi_length(sphere[k].arm) < CENTRAL * sphere[k].radius;
 }

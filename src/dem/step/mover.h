@@ -84,6 +84,11 @@ public:
     return AtWall(members(wall).rows, i, count);
   }
 
+  /* The number of the sphere with a tag, or how many there are; and the sphere that holds a stuck
+   * mover. */
+  size_t number_of(double tag) const;
+  const BodySphere &anchor(const Stuck &at) const;
+
   /* True if a sphere is about the center of mass, as far as engines find that. */
   bool is_central(size_t k) const;
 

@@ -710,15 +710,18 @@ void Members::begin_run(const Setup &setup, const Spheres &s) {
     Memory *of = rows.find(i);
     for (size_t k = 0; of && k < of->rests.size(); k++)
       aspi_copy(NONE, of->rests[k].push);
-    if (!rows.is_stuck(i))
-      continue;
-    const size_t shape = static_cast<size_t>(rows.stuck(i).shape) - 1;
-    if (setup.model.deposit() == Model::OFF || /* an earlier part of the run had deposits, or none
-                                                  of the flow that takes them away */
-        (shape < setup.shapes.size() &&
-         setup.model.removes(s.type[i], setup.shapes[shape].wall_type, 2 * s.radius[i])))
-      rows.set_status(i, Status::FREE);
+    if (rows.is_stuck(i) && setup.model.deposit() == Model::OFF)
+      rows.set_status(i, Status::FREE); /* an earlier part of the run had deposits */
   }
+}
+
+/* The flow may take away what stuck before it was there. */
+void Members::let_go(const Setup &setup, int i, int type, double radius) {
+  const size_t shape =
+      rows.is_stuck(i) ? static_cast<size_t>(rows.stuck(i).shape) - 1 : setup.shapes.size();
+  if (shape < setup.shapes.size() &&
+      setup.model.removes(type, setup.shapes[shape].wall_type, 2 * radius))
+    rows.set_status(i, Status::FREE);
 }
 
 void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
@@ -730,6 +733,8 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
           aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
     }
   grains.begin_run(setup, s);
+  for (int i = 0; i < s.n; i++)
+    grains.let_go(setup, i, s.type[i], s.radius[i]);
   reorder(s);
 }
 
@@ -748,14 +753,12 @@ Spheres Bodies::bounds() {
   x_.clear();
   v_.clear();
   mask_.clear();
-  type_.clear();
   tag_.clear();
   reach_.clear();
   for (const Body &body : all) {
     x_.insert(x_.end(), body.x, body.x + 3);
     v_.insert(v_.end(), body.v, body.v + 3);
     mask_.push_back(body.mask);
-    type_.push_back(body.type);
     tag_.push_back(body.tag);
     reach_.push_back(body.reach);
   }
@@ -763,7 +766,7 @@ Spheres Bodies::bounds() {
                  dt,
                  static_cast<int>(all.size()),
                  mask_.data(),
-                 type_.data(),
+                 NULL,
                  tag_.data(),
                  8,
                  x_.data(),
@@ -783,7 +786,6 @@ void asperity::claim_bodies(const Walls &walls, Bodies &bodies, MPI_Comm world) 
       const BodySphere &one = bodies.spheres[k];
       body.reach = std::max(body.reach, aspi_length(one.arm) + one.radius);
       body.mask |= one.mask;
-      body.type = one.type;
     }
     tags.push_back(body.tag);
   }
@@ -791,6 +793,12 @@ void asperity::claim_bodies(const Walls &walls, Bodies &bodies, MPI_Comm world) 
     wall->body_rows.claim(tags, world);
     if (bodies.begins)
       wall->bodies.begin_run(wall->setup, bodies.bounds());
+    for (size_t b = 0; b < tags.size() && bodies.begins; b++)
+      if (wall->body_rows.is_stuck(static_cast<int>(b))) {
+        const Mover mover(bodies, b);
+        const BodySphere &one = mover.anchor(wall->body_rows.stuck(mover.i));
+        wall->bodies.let_go(wall->setup, mover.i, one.type, one.radius);
+      }
     wall->bodies.list(bodies.bounds());
   }
 }

@@ -44,6 +44,8 @@ struct Members {
   void begin_step();
   /* A new run has begun: forces are without those of the walls, and it may have no deposits. */
   void begin_run(const Setup &setup, const Spheres &spheres);
+  /* type, radius: of the sphere that has stuck, if any has. */
+  void let_go(const Setup &setup, int i, int type, double radius);
 
   size_t bytes() const {
     return rows.bytes() + ahead.bytes() + stuck.capacity() * sizeof(StuckOne);

@@ -205,14 +205,6 @@ void Stepper::hold_stuck(const Spheres &s) {
 /* ---- bodies -----------------------------------------------------------------------------------
  */
 
-/* The sphere that holds the body. */
-static size_t anchor(const Mover &mover, const Stuck &at) {
-  for (size_t k = 0; k < mover.count; k++)
-    if (static_cast<double>(mover.sphere[k].tag) == at.sphere)
-      return k;
-  return 0;
-}
-
 /* Gives a stuck body the velocity of its wall, with the load that holds it. */
 static void hold_one(const Stepper &wall, const Stuck &at, Bodies &bodies, int i) {
   const Mover mover(bodies, static_cast<size_t>(i));
@@ -226,23 +218,24 @@ static void hold_one(const Stepper &wall, const Stuck &at, Bodies &bodies, int i
   aspi_copy(at.v, body.v);
   momentum_of(body, at.omega, body.angular_momentum);
   body.is_changed = true;
-  add_load(wall, mover, at, anchor(mover, at), body.x, change, turn);
+  add_load(wall, mover, at, static_cast<size_t>(&mover.anchor(at) - mover.sphere), body.x, change,
+           turn);
 }
 
 static void carry(Stepper &wall, Bodies &bodies, int i, double left) {
   Stuck &at = wall.body_rows.stuck(i);
   Body &body = bodies.all[static_cast<size_t>(i)];
   Mover mover(bodies, static_cast<size_t>(i));
-  const size_t k = anchor(mover, at);
+  const BodySphere &one = mover.anchor(at);
   double now[3], arm[3], x[3], off[3];
-  mover.arm(k, now);
+  arm_of(body, one, now);
   aspi_add_scaled(now, 1, body.x, now);
   if (!(fabs(at.at[0]) <= HUGE_VAL))
     memcpy(at.axes, body.axes, sizeof at.axes);
-  follow(wall, at, now, mover.sphere[k].radius, left, bodies.dt, true, x);
+  follow(wall, at, now, one.radius, left, bodies.dt, true, x);
   body.is_changed = body.is_changed || memcmp(body.axes, at.axes, sizeof at.axes) != 0;
   memcpy(body.axes, at.axes, sizeof at.axes);
-  arm_of(body, mover.sphere[k], arm);
+  arm_of(body, one, arm);
   aspi_subtract(x, arm, x);
   body.is_changed = body.is_changed || change(body.x, x) != 0;
   aspi_copy(x, body.x);
