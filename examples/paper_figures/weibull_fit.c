@@ -188,7 +188,7 @@ static void print(FILE *out, const angle_fit *fits, size_t n, const double *k,
   for (size_t i = 0; i < n; i++) {
     const angle_fit *f = &fits[i];
     double tau = f->alpha1 / f->sigma;
-    fprintf(out, "%g,%g,%.6g,%.6f,%.6f,%.6f,%.6f,", cli_degrees(f->sigma), cli_degrees(f->alpha1),
+    fprintf(out, "%g,%g,%.6g,%.6f,%.6f,%.6f,%.6f,", aspi_degrees(f->sigma), aspi_degrees(f->alpha1),
             tau, f->k, f->k_sd, f->lambda, f->lambda_sd);
     if (tau <= FIT_TAU_END)
       fprintf(out, "%.6f,%.6f", polynomial(k, tau), polynomial(lambda, tau));
@@ -241,8 +241,8 @@ int main(int argc, char **argv) {
          n = sigmas.count * angles.count;
   angle_fit *fits = cli_allocate(n, sizeof *fits);
   for (size_t i = 0; i < n; i++) {
-    fits[i].sigma = cli_radians(sigmas.values[i / angles.count]);
-    fits[i].alpha1 = cli_radians(angles.values[i % angles.count]);
+    fits[i].sigma = aspi_radians(sigmas.values[i / angles.count]);
+    fits[i].alpha1 = aspi_radians(angles.values[i % angles.count]);
   }
   double k[FIT_DEGREE + 1], lambda[FIT_DEGREE + 1];
   fit_all(fits, n, runs, samples, (uint32_t)cli_whole(cli_get(&call, "seed"), 0, UINT32_MAX));

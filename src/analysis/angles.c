@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/angles.h"
+#include "base/units.h"
 
 #include <math.h>
 

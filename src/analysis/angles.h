@@ -43,12 +43,4 @@ aspi_estimate aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_gro
 /* The mean over the groups of one of the sums, per rebound. */
 aspi_estimate aspi_angles_mean(aspi_angle_groups groups, size_t sum);
 
-static inline double aspi_degrees(double radians) {
-  return radians * (180 / ASP_PI);
-}
-
-static inline double aspi_radians(double degrees) {
-  return degrees * (ASP_PI / 180);
-}
-
 #endif

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/calibrate.h"
-#include "analysis/angles.h"
+#include "base/units.h"
 #include "base/error.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 
 /* A row of means; sd and n where they are known. */
 static void take_means(aspi_calibration *c, aspi_calibration_bin *bin) {
-  const aspi_measured_row *row = &c->data.rows[bin->first];
+  const aspi_scatter_row *row = &c->data.rows[bin->first];
   double alpha = aspi_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
   bool scatter = row->sd[COR_N] > 0 || row->sd[COR_T] > 0, counted = row->n > 0;
   aspi_bin_moments *m = &bin->moments;
@@ -54,7 +54,7 @@ static bool take_impacts(const aspi_calibration *c, aspi_calibration_bin *bin) {
   bool has[COR_BOTH] = {true, true};
   double(*xy)[COR_BOTH] = calloc(bin->end - bin->first, sizeof *xy);
   for (size_t i = bin->first; xy && i < bin->end; i++) {
-    const aspi_measured_row *row = &c->data.rows[i];
+    const aspi_scatter_row *row = &c->data.rows[i];
     double alpha = aspi_radians(row->degrees), by[COR_BOTH] = {sin(alpha), cos(alpha)};
     for (int k = 0; k < COR_BOTH && !row->deposit; k++) {
       has[k] = has[k] && isfinite(row->cor[k]);
@@ -93,12 +93,12 @@ static void pool_covariances(aspi_calibration *c) {
 }
 
 static void make_bins(aspi_calibration *c, double width) {
-  const aspi_measured_row *rows = c->data.rows;
+  const aspi_scatter_row *rows = c->data.rows;
   for (size_t i = 0; i < c->data.count; i++) {
     aspi_calibration_bin *last = c->n_bins ? &c->bins[c->n_bins - 1] : NULL;
-    bool joins = last && !c->data.means &&
-                 aspi_measured_interval(&rows[i], width) <=
-                     aspi_measured_interval(&rows[last->first], width);
+    bool joins =
+        last && !c->data.means &&
+        aspi_scatter_interval(&rows[i], width) <= aspi_scatter_interval(&rows[last->first], width);
     if (!joins)
       c->bins[c->n_bins++] = (aspi_calibration_bin){.first = i};
     c->bins[c->n_bins - 1].end = i + 1;

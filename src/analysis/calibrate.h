@@ -45,7 +45,7 @@ typedef struct aspi_calibration_bin {
 } aspi_calibration_bin;
 
 typedef struct aspi_calibration {
-  aspi_measured data;
+  aspi_scatter data;
   aspi_calibration_bin *bins;
   size_t n_bins;
   aspi_unknown unknown[FIT_UNKNOWNS_MOST];

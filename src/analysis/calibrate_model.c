@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/calibrate.h"
-#include "analysis/angles.h"
+#include "base/units.h"
 #include "base/stream.h"
 #include "description/description.h"
 
@@ -47,7 +47,7 @@ static void add_noise(const aspi_calibration *c, const double *normal, double *x
 }
 
 /* One impact of the model as it would be measured: x and y; false: no rebound is seen. */
-static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row, uint64_t tag,
+static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, uint64_t tag,
                         double xy[COR_BOTH]) {
   static const double n[3] = {0, 0, 1};
   double normal[4] = {0, 0, 0, 0};
@@ -67,7 +67,7 @@ static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row,
     return false;
   /* With v1 along the normal there is no plane of incidence: what is off the normal is all along.
    */
-  bool all = c->data.view == ASPI_MEASURED_SPACE || !(v1[0] > 0);
+  bool all = c->data.view == ASPI_IN_SPACE || !(v1[0] > 0);
   xy[COR_N] = impact.v2[2] / v;
   xy[COR_T] = (all ? hypot(impact.v2[0], impact.v2[1]) : impact.v2[0]) / v;
   if (!noisy)
@@ -79,8 +79,8 @@ static bool see_rebound(const aspi_calibration *c, const aspi_measured_row *row,
 
 /* The row of impact i of some at the places of a bin. All rows come equally often, or spread over
  * the bin where there are fewer impacts: rows are in order of their angle. */
-static const aspi_measured_row *row_of(const aspi_calibration *c, const aspi_calibration_bin *bin,
-                                       size_t i, size_t samples) {
+static const aspi_scatter_row *row_of(const aspi_calibration *c, const aspi_calibration_bin *bin,
+                                      size_t i, size_t samples) {
   double share = ((double)i + 0.5) / (double)samples;
   return &c->data.rows[bin->first + (size_t)(share * (double)(bin->end - bin->first))];
 }

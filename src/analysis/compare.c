@@ -18,11 +18,11 @@ enum { ENOUGH = 20 };
 enum { ROWS_EACH = 4 };
 
 /* How many of the points, which are in order of their angle, lie below it. */
-static size_t count_below(const aspi_scatter_impacts *impacts, double angle) {
+static size_t count_below(const aspi_scatter *impacts, double angle) {
   size_t low = 0, high = impacts->count;
   while (low < high) {
     size_t middle = low + (high - low) / 2;
-    if (impacts->points[middle].degrees < angle)
+    if (impacts->rows[middle].degrees < angle)
       low = middle + 1;
     else
       high = middle;
@@ -34,7 +34,7 @@ static bool is_near(double is, double wanted, double share) {
   return isnan(wanted) || fabs(is - wanted) <= share * wanted;
 }
 
-static bool same_place(const aspi_measured_row *a, const aspi_measured_row *b) {
+static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
   return fabs(a->degrees - b->degrees) <= SAME_ANGLE &&
          (isnan(a->v1) || is_near(a->v1, b->v1, SAME_SHARE)) &&
          (isnan(a->d_p) || is_near(a->d_p, b->d_p, SAME_SHARE));
@@ -43,7 +43,7 @@ static bool same_place(const aspi_measured_row *a, const aspi_measured_row *b) {
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
-static size_t count_places(const aspi_measured *data) {
+static size_t count_places(const aspi_scatter *data) {
   size_t places = 0;
   for (size_t i = 0; i < data->count; i++)
     places += i == 0 || !same_place(&data->rows[i], &data->rows[i - 1]);
@@ -54,7 +54,7 @@ static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
 
-static void describe_place(const aspi_measured *data, aspi_compare_bin *on) {
+static void describe_place(const aspi_scatter *data, aspi_compare_bin *on) {
   double n = (double)(on->end - on->first);
   for (size_t i = on->first; i < on->end; i++) {
     on->degrees += data->rows[i].degrees / n;
@@ -64,17 +64,16 @@ static void describe_place(const aspi_measured *data, aspi_compare_bin *on) {
 }
 
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error) {
-  const aspi_measured *data = &c->data;
+  const aspi_scatter *data = &c->data;
   bool places = !data->means && !given && data->count >= ROWS_EACH * count_places(data);
   c->bins = calloc(data->count + 1, sizeof *c->bins);
   if (!c->bins)
     return no_memory(data->count, error);
   for (size_t i = 0; i < data->count; i++) {
-    const aspi_measured_row *row = &data->rows[i], *last = i ? row - 1 : row;
-    bool joins =
-        i > 0 && !data->means &&
-        (places ? same_place(row, last)
-                : aspi_measured_interval(row, width) <= aspi_measured_interval(last, width));
+    const aspi_scatter_row *row = &data->rows[i], *last = i ? row - 1 : row;
+    bool joins = i > 0 && !data->means &&
+                 (places ? same_place(row, last)
+                         : aspi_scatter_interval(row, width) <= aspi_scatter_interval(last, width));
     if (!joins)
       c->bins[c->count++] = (aspi_compare_bin){.first = i};
     c->bins[c->count - 1].end = i + 1;
@@ -94,15 +93,15 @@ typedef struct weights {
   size_t count;
 } weights;
 
-static bool is_around(const aspi_scatter_point *p, const aspi_measured_row *at,
+static bool is_around(const aspi_scatter_row *p, const aspi_scatter_row *at,
                       const aspi_compare_reach *far) {
   return is_near(p->v1, at->v1, far->speed) && is_near(p->d_p, at->d_p, far->size);
 }
 
-static size_t count_near(const aspi_scatter_impacts *impacts, const aspi_measured_row *at,
+static size_t count_near(const aspi_scatter *impacts, const aspi_scatter_row *at,
                          const aspi_compare_reach *far) {
   size_t found = 0;
-  const aspi_scatter_point *p = impacts->points;
+  const aspi_scatter_row *p = impacts->rows;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++)
     found += is_around(&p[i], at, far);
@@ -110,10 +109,10 @@ static size_t count_near(const aspi_scatter_impacts *impacts, const aspi_measure
 }
 
 /* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
-static void weigh(const aspi_scatter_impacts *impacts, const aspi_measured_row *at,
+static void weigh(const aspi_scatter *impacts, const aspi_scatter_row *at,
                   const aspi_compare_reach *far, double rows, weights *w) {
   double each = rows / (double)count_near(impacts, at, far);
-  const aspi_scatter_point *p = impacts->points;
+  const aspi_scatter_row *p = impacts->rows;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++) {
     if (!is_around(&p[i], at, far))
@@ -128,7 +127,7 @@ static void weigh(const aspi_scatter_impacts *impacts, const aspi_measured_row *
 static void weigh_bin(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
                       aspi_compare_bin *b) {
   static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
-  const aspi_measured_row *rows = c->data.rows;
+  const aspi_scatter_row *rows = c->data.rows;
   b->from = 90;
   b->to = 0;
   w->count = 0;
@@ -154,7 +153,7 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
     return false;
   for (; w->count > 0; w->of[w->which[w->count]] = 0) {
     size_t i = w->which[--w->count];
-    const aspi_scatter_point *p = &c->impacts.points[i];
+    const aspi_scatter_row *p = &c->impacts.rows[i];
     side->impacts[side->count++] =
         (aspi_impact){{p->cor[COR_N], p->cor[COR_T], p->deposit}, w->of[i]};
   }
@@ -162,8 +161,8 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
 }
 
 /* The measured impacts, or means. An sd without the number of impacts counts as of one. */
-static bool take_data(const aspi_measured *data, aspi_compare_bin *b) {
-  const aspi_measured_row *row = &data->rows[b->first];
+static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
+  const aspi_scatter_row *row = &data->rows[b->first];
   aspi_side *side = &b->data;
   for (int k = 0; k < ASPI_QUANTITIES; k++)
     side->of[k] = aspi_sample_none;
@@ -198,7 +197,7 @@ static void free_impacts(aspi_side *side) {
 }
 
 static int by_angle(const void *left, const void *right) {
-  const aspi_scatter_point *a = left, *b = right;
+  const aspi_scatter_row *a = left, *b = right;
   return (a->degrees > b->degrees) - (a->degrees < b->degrees);
 }
 
@@ -207,7 +206,7 @@ asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, as
                calloc(c->impacts.count + 1, sizeof *w.which), 0};
   aspi_score score = {0};
   bool fine = w.of && w.which;
-  qsort(c->impacts.points, c->impacts.count, sizeof *c->impacts.points, by_angle);
+  qsort(c->impacts.rows, c->impacts.count, sizeof *c->impacts.rows, by_angle);
   for (size_t i = 0; i < c->count && fine; i++) {
     aspi_compare_bin *b = &c->bins[i];
     fine = take_data(&c->data, b) && (!far || take_model(c, far, &w, b));

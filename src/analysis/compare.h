@@ -24,8 +24,8 @@ typedef struct aspi_compare_bin {
 
 typedef struct aspi_comparison {
   const char *names[2]; /* of the files: impacts, data; no second one: the impacts alone */
-  aspi_scatter_impacts impacts;
-  aspi_measured data; /* of impacts alone, these */
+  aspi_scatter impacts;
+  aspi_scatter data; /* of impacts alone, these */
   aspi_compare_bin *bins;
   size_t count;
   aspi_estimate score;

@@ -1,4 +1,4 @@
-/* Impacts of a model or a simulation, and measured coefficients of restitution.
+/* Impacts of a model, of a simulation or of a measurement, and means of them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_IMPACTS_H
@@ -10,51 +10,38 @@
 
 enum { COR_N, COR_T, COR_BOTH };
 
-typedef struct aspi_scatter_point {
-  double degrees;       /* impact angle */
-  float v1, d_p;        /* SI; NAN where there is none */
-  bool deposit;         /* it has no coefficients */
-  float cor_t_space;    /* of the whole speed along the wall, without a sign; NAN alike */
-  double cor[COR_BOTH]; /* NAN where there is none */
-} aspi_scatter_point;
-
-typedef struct aspi_scatter_impacts {
-  aspi_scatter_point *points;
-  size_t count, deposits; /* deposits: of those */
-  bool rough;             /* some local wall was tilted */
-  bool sideways;          /* some went out of the plane of incidence */
-  char comment[1024];     /* the file's first comment */
-} aspi_scatter_impacts;
-
-/* NAN where there is nothing. Of an impact, cor are its coefficients and se their measurement
- * errors; of a mean, cor are means, sd standard deviations, se standard errors and n the number of
- * impacts. */
-typedef struct aspi_measured_row {
+/* NAN where there is no number. Of an impact, cor are its coefficients, se their measurement
+ * errors, and cor_t_space is the ratio of the whole speeds along the wall, without a sign. Of a
+ * mean, cor are means, sd standard deviations, se standard errors, n the number of impacts. */
+typedef struct aspi_scatter_row {
   double degrees, v1, d_p; /* SI */
-  double cor[COR_BOTH], sd[COR_BOTH], se[COR_BOTH], n;
-  bool deposit;
-} aspi_measured_row;
+  double cor[COR_BOTH], cor_t_space, sd[COR_BOTH], se[COR_BOTH], n;
+  bool deposit; /* it has no coefficients */
+} aspi_scatter_row;
 
 /* Which interval of that width an angle is in; the last one ends with 90 degrees. */
-static inline double aspi_measured_interval(const aspi_measured_row *row, double width) {
+static inline double aspi_scatter_interval(const aspi_scatter_row *row, double width) {
   return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
 }
 
-/* How rebounds were looked at: in the plane of incidence, as by one camera from the side, so that
- * CoR_T has a sign; in space, where it is of the whole speed along the wall; or by columns that
- * mean either. */
-typedef enum aspi_measured_view {
-  ASPI_MEASURED_PLANE,
-  ASPI_MEASURED_SPACE,
-  ASPI_MEASURED_EITHER
-} aspi_measured_view;
+/* How rebounds were seen: in the plane of incidence, as by one camera from the side, so that CoR_T
+ * has a sign; in space, where it is of the whole speed along the wall; or not stated. */
+typedef enum aspi_rebound_view {
+  ASPI_IN_PLANE,
+  ASPI_IN_SPACE,
+  ASPI_IN_EITHER,
+  ASPI_VIEWS
+} aspi_rebound_view;
 
-typedef struct aspi_measured {
-  aspi_measured_row *rows;
-  size_t count;
+typedef struct aspi_scatter {
+  aspi_scatter_row *rows;
+  size_t count, deposits;                /* deposits: rows that are one */
   bool means;                            /* rows are means, not impacts */
   bool has_speed, has_size, has_outcome; /* there are such columns */
-  aspi_measured_view view;
-} aspi_measured;
+  bool rough;                            /* some local wall was tilted */
+  bool sideways;                         /* some went out of the plane of incidence */
+  aspi_rebound_view view;
+  char comment[1024]; /* the file's first comment */
+} aspi_scatter;
 
 #endif

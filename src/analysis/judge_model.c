@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
+#include "base/units.h"
 #include "wall/wall.h"
 
 #include <math.h>

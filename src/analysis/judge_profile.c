@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "surface/closing.h"
 #include "spread/line.h"
 #include "surface/profile.h"

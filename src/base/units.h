@@ -35,4 +35,12 @@ int aspi_header_units(const char *line, double units[2]);
 /* The units in a line; one that covers both columns is counted once. */
 int aspi_units_in(const char *line, double units[2]);
 
+static inline double aspi_degrees(double radians) {
+  return radians * (180 / ASP_PI);
+}
+
+static inline double aspi_radians(double degrees) {
+  return degrees * (ASP_PI / 180);
+}
+
 #endif

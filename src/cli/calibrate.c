@@ -7,7 +7,7 @@
 #include "base/number.h"
 #include "base/quantity.h"
 #include "cli/description.h"
-#include "cli/measured.h"
+#include "cli/scatter.h"
 #include "cli/plot.h"
 #include "description/description.h"
 #include "rebound/laws.h"
@@ -112,9 +112,9 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   asp_error error;
   const cli_option *samples = cli_get(call, "samples");
   double width = cli_number(cli_get(call, "bin"), 0.1, 90);
-  c->data = cli_measured_read(path, cli_get(call, "view"));
-  cli_measured_need_view(
-      path, &c->data, !c->smooth && strcmp(asp_description_word(c->words, "tilt"), "plane") != 0);
+  c->data = cli_scatter_read_data(path, cli_get(call, "view"));
+  cli_scatter_need_view(path, &c->data,
+                        !c->smooth && strcmp(asp_description_word(c->words, "tilt"), "plane") != 0);
   c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)
@@ -310,7 +310,7 @@ typedef struct point {
 } point;
 
 static point measured_in(const aspi_calibration *c, size_t b, int k) {
-  double alpha = cli_radians(c->bins[b].degrees), by = k == COR_N ? sin(alpha) : cos(alpha);
+  double alpha = aspi_radians(c->bins[b].degrees), by = k == COR_N ? sin(alpha) : cos(alpha);
   const aspi_calibration_bin *bin = &c->bins[b];
   const double *of = bin->moments.of;
   bool used = bin->used[MOMENT_X + k];
@@ -366,7 +366,7 @@ static const cli_option options[] = {
      "sd of the measured impact angles, of the rebound angles [the same], and of the speeds as a "
      "share of them",
      "0"},
-    MEASURED_OPTION,
+    SCATTER_OPTION,
     {"bin", "DEGREES", "width of the bins of impacts", "5"},
     {"samples", "N",
      "simulated impacts per bin; by default 10 for each measured one, 2000 to 20000", NULL},
@@ -377,7 +377,7 @@ static const char detail[] =
     "friction fit materials quartz al-2024': sigma, or rq and lambda_c; friction,\n"
     "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search at VALUE; rq, "
     "lambda_c and numbers\n"
-    "whose default is 0 need it.\n" MEASURED_FORMS "\n"
+    "whose default is 0 need it.\n" SCATTER_FORMS "\n"
     "The output has the rows parameter,estimate,standard_error,low_95,high_95,unit; then,\n"
     "as comments, correlations, chi^2 per degree of freedom, and the description with the\n"
     "estimates in it, for a script or another command. A warning names constants that the\n"

@@ -10,6 +10,7 @@
 
 #include "asperity.h"
 #include "base/list.h"
+#include "base/units.h"
 
 #include <stdio.h>
 
@@ -152,8 +153,5 @@ void cli_progress_end(cli_progress *progress);
 /* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
  * file that cannot be written. cli_parse asks before any work is done. */
 void cli_plot_check(const cli_call *call);
-
-double cli_degrees(double radians);
-double cli_radians(double degrees);
 
 #endif

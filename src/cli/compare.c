@@ -3,7 +3,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/compare.h"
-#include "cli/measured.h"
 #include "cli/plot.h"
 #include "cli/scatter.h"
 
@@ -93,7 +92,7 @@ static void warn_no_score(const aspi_comparison *c) {
 }
 
 /* Warns if the comment that the impacts begin with names a fitted law or constant. */
-static void warn_double(const aspi_scatter_impacts *impacts) {
+static void warn_double(const aspi_scatter *impacts) {
   static const char *const fitted[] = {"grant_tabakoff", "rebound table", "yield_rate"};
   for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
     if (strstr(impacts->comment, fitted[i])) {
@@ -108,8 +107,8 @@ static void warn_double(const aspi_scatter_impacts *impacts) {
 static void leave_out(aspi_comparison *c) {
   bool speeds = false, sizes = false;
   for (size_t i = 0; i < c->impacts.count && !(speeds && sizes); i++) {
-    speeds = speeds || isfinite(c->impacts.points[i].v1);
-    sizes = sizes || isfinite(c->impacts.points[i].d_p);
+    speeds = speeds || isfinite(c->impacts.rows[i].v1);
+    sizes = sizes || isfinite(c->impacts.rows[i].d_p);
   }
   bool no_speeds = c->data.has_speed && !speeds, no_sizes = c->data.has_size && !sizes;
   if (no_speeds || no_sizes)
@@ -125,35 +124,16 @@ static void leave_out(aspi_comparison *c) {
   c->data.has_size = c->data.has_size && sizes;
 }
 
-/* ---- impacts alone ---- */
-
-/* Takes the impacts themselves for rows, whose places are those of the table. */
-static void take_impacts(aspi_comparison *c) {
-  const aspi_scatter_impacts *impacts = &c->impacts;
-  c->data = (aspi_measured){.rows = cli_allocate(impacts->count, sizeof *c->data.rows),
-                            .count = impacts->count,
-                            .has_outcome = true};
-  for (size_t i = 0; i < impacts->count; i++) {
-    const aspi_scatter_point *p = &impacts->points[i];
-    c->data.rows[i] = (aspi_measured_row){.degrees = p->degrees,
-                                          .v1 = p->v1,
-                                          .d_p = p->d_p,
-                                          .cor = {p->cor[COR_N], p->cor[COR_T]},
-                                          .deposit = p->deposit};
-  }
-  cli_measured_sort(&c->data);
-}
-
 /* ---- the command ---- */
 
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {
-  cli_measured_need_view(c->names[1], &c->data, c->impacts.sideways);
-  if (c->data.view != ASPI_MEASURED_SPACE)
+  cli_scatter_need_view(c->names[1], &c->data, c->impacts.sideways);
+  if (c->data.view != ASPI_IN_SPACE)
     return;
   size_t missing = 0;
   for (size_t i = 0; i < c->impacts.count; i++) {
-    aspi_scatter_point *p = &c->impacts.points[i];
+    aspi_scatter_row *p = &c->impacts.rows[i];
     missing += isfinite(p->cor[COR_T]) && isnan(p->cor_t_space);
     p->cor[COR_T] = p->cor_t_space;
   }
@@ -178,7 +158,8 @@ static void table_impacts(aspi_comparison *c, cli_call *call) {
     if (cli_is_set(call, of_data[i]))
       cli_bad_usage("--%s has no effect without DATA", of_data[i]);
   c->impacts = cli_scatter_read_impacts(c->names[0]);
-  take_impacts(c);
+  c->data = c->impacts;
+  c->data.has_outcome = true;
   make_bins(c, call);
   cli_must(!aspi_compare_fill(c, NULL, &error), &error);
 }
@@ -188,7 +169,7 @@ static void compare_with(aspi_comparison *c, cli_call *call) {
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
   cli_few(cli_get(call, "near"), 0, 90, 3, far);
-  c->data = cli_measured_read(c->names[1], cli_get(call, "view"));
+  c->data = cli_scatter_read_data(c->names[1], cli_get(call, "view"));
   leave_out(c);
   take_view(c);
   make_bins(c, call);
@@ -220,14 +201,14 @@ static const cli_option options[] = {{"bin", "DEGREES",
                                       "a place without simulated impacts takes those within this "
                                       "distance: degrees, shares of speed and size",
                                       FAR},
-                                     MEASURED_OPTION,
+                                     SCATTER_OPTION,
                                      {.name = NULL}};
 
 static const char detail[] =
     "IMPACTS is the output of 'asperity cor' or the ledger of a wall. Alone, they "
     "are tabled and drawn for each place (an impact\n"
     "angle, or an interval of angles): model_n and model_mean of the rows 'deposits' are the\n"
-    "number of impacts and the share that sticks.\n" MEASURED_FORMS "\n"
+    "number of impacts and the share that sticks.\n" SCATTER_FORMS "\n"
     "A place in the data is an angle, with a speed and a size where the data have them. At\n"
     "each, the output has of both sides the mean and standard deviation of both\n"
     "coefficients, the share of deposits if the data have outcomes, all with standard\n"

@@ -74,7 +74,7 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) 
 
 static void print_row(FILE *out, const row *r) {
   const double before[] = {r->d_p * 1e6, r->of.cor.v1, r->alpha1,
-                           cli_degrees(r->of.impact.delta_alpha)};
+                           aspi_degrees(r->of.impact.delta_alpha)};
   const double middle[] = {r->of.cor.cor_v, r->of.cor.cor_alpha, r->of.cor.cor_n, r->of.cor.cor_t};
   for (int i = 0; i < 4; i++) {
     cli_print_number(out, before[i], 6);
@@ -101,12 +101,12 @@ static void print_ledger_row(FILE *out, const row *r, size_t tag) {
                                  [LEDGER_IMPACT] = 1,
                                  [LEDGER_D_P] = r->d_p,
                                  [LEDGER_V1] = r->of.cor.v1,
-                                 [LEDGER_ALPHA1] = cli_degrees(r->of.cor.alpha1),
-                                 [LEDGER_DELTA_ALPHA] = cli_degrees(r->of.impact.delta_alpha),
-                                 [LEDGER_TILT_OUT] = cli_degrees(r->of.impact.tilt_out),
+                                 [LEDGER_ALPHA1] = aspi_degrees(r->of.cor.alpha1),
+                                 [LEDGER_DELTA_ALPHA] = aspi_degrees(r->of.impact.delta_alpha),
+                                 [LEDGER_TILT_OUT] = aspi_degrees(r->of.impact.tilt_out),
                                  [LEDGER_HITS] = r->of.impact.hits,
                                  [LEDGER_V2] = r->of.cor.v2,
-                                 [LEDGER_ALPHA2] = cli_degrees(r->of.cor.alpha2),
+                                 [LEDGER_ALPHA2] = aspi_degrees(r->of.cor.alpha2),
                                  [LEDGER_COR_N] = r->of.cor.cor_n,
                                  [LEDGER_COR_T] = r->of.cor.cor_t,
                                  [LEDGER_OUTCOME] = r->of.impact.outcome == ASP_DEPOSIT};
@@ -188,9 +188,9 @@ static plan make_plan(const cli_list *angles, size_t samples, bool by_flux) {
             cli_allocate(angles->count, sizeof *p.first), 0};
   double sines = 0;
   for (size_t a = 0; a < angles->count; a++)
-    sines += sin(cli_radians(angles->values[a]));
+    sines += sin(aspi_radians(angles->values[a]));
   for (size_t a = 0; a < angles->count; a++) {
-    double share = sin(cli_radians(angles->values[a])) / sines * (double)angles->count;
+    double share = sin(aspi_radians(angles->values[a])) / sines * (double)angles->count;
     p.count[a] = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
     p.first[a] = p.total;
     p.total += p.count[a];

@@ -141,7 +141,7 @@ double cli_description_shrink(const cli_description *d) {
 cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double degrees,
                          const asp_key *key) {
   static const double n[3] = {0, 0, 1};
-  double alpha = cli_radians(degrees), lay[3];
+  double alpha = aspi_radians(degrees), lay[3];
   double v1[3] = {degrees < 90 ? speed * cos(alpha) : 0, 0, -speed * sin(alpha)};
   asp_particle particle = {
       .d_p = d_p, .density = d->density, .pair = d->pair, .lay = cli_description_lay(d, lay)};

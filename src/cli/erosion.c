@@ -5,7 +5,6 @@
 #include "cli/description.h"
 #include "cli/plot.h"
 #include "cli/scatter.h"
-#include "base/error.h"
 #include "description/description.h"
 
 #include <math.h>
@@ -67,26 +66,41 @@ static void make_room(wear *w) {
 }
 
 static double worn_by_law(const wear *w, const double of[], double mass) {
-  double alpha = cli_radians(of[ALPHA1]);
+  double alpha = aspi_radians(of[ALPHA1]);
   return mass *
          aspi_erosion_ratio(w->law, w->wall_density, of[V1], sin(alpha), cos(alpha), of[D_P]);
 }
 
-static asp_code add_row(void *taker, const double of[], asp_error *error) {
-  wear *w = taker;
+static void add_row(wear *w, const double of[]) {
   double mass = of[MASS], d = of[D_P];
   w->has_mass = !isnan(mass);
   if (!w->has_mass)
     mass = w->density * ASP_PI / 6 * d * d * d;
   if (w->law && isnan(mass))
-    return aspi_fail(error, ASP_EDATA,
-                     "%s: no column 'mass', which 'columns full' has: give the density of the "
-                     "particles by --density or 'materials'",
-                     w->path);
+    cli_bad_usage("%s: no column 'mass', which 'columns full' has: give the density of the "
+                  "particles by --density or 'materials'",
+                  w->path);
   double worn = w->law ? worn_by_law(w, of, mass) : of[ERODED];
   make_room(w);
   w->cells[w->count++] = (cell){(int)of[MESH], (int)of[TRIANGLE], 1, worn};
-  return ASP_OK;
+}
+
+/* Adds up the rows of the ledger. */
+static void read_ledger(wear *w) {
+  static const int by_law[] = {MESH, TRIANGLE, ALPHA1, V1, D_P}, own[] = {MESH, TRIANGLE, ERODED};
+  cli_scatter ledger = cli_scatter_open(w->path, SCATTER_COLUMNS);
+  for (int i = 0; i < (w->law ? 5 : 3); i++)
+    cli_scatter_need(&ledger, w->law ? by_law[i] : own[i],
+                     w->law || i < 2 ? ""
+                                     : "; a ledger has it with 'columns full', or state 'erosion "
+                                       "LAW' behind it");
+  if (!w->law && *ledger.csv->comment && !strstr(ledger.csv->comment, " erosion "))
+    cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
+                  w->path);
+  double of[SCATTER_COLUMNS];
+  while (cli_scatter_row(&ledger, of))
+    add_row(w, of);
+  merge(w);
 }
 
 static void print_sum(FILE *out, const cell *sum) {
@@ -145,18 +159,9 @@ static void run(cli_call *call) {
     d = cli_description_read(call->n_words - 1, call->words + 1, false);
     take_law(&w, &d);
   }
-  uint32_t needed =
-      COLUMN_BIT(MESH) | COLUMN_BIT(TRIANGLE) |
-      (has_law ? COLUMN_BIT(ALPHA1) | COLUMN_BIT(V1) | COLUMN_BIT(D_P) : COLUMN_BIT(ERODED));
-  impact_file ledger = {
-      .path = w.path, .wanted = COLUMN_BIT(MASS), .needed = needed, .take = add_row, .taker = &w};
-  cli_scatter_read_rows(&ledger);
-  if (!has_law && *ledger.comment && !strstr(ledger.comment, " erosion "))
-    cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
-                  w.path);
+  read_ledger(&w);
   if (density->value && w.has_mass)
     cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
-  merge(&w);
   FILE *out = cli_table_open(call, d.text);
   print_all(out, &w);
   cli_table_close(call, out, "erosion");

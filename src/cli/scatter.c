@@ -1,111 +1,453 @@
-/* Files of impacts; see scatter.h.
+/* Tables of impacts and of measured coefficients; see scatter.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/scatter.h"
 #include "base/error.h"
-#include "cli/cli.h"
+#include "base/number.h"
+#include "base/quantity.h"
 
-#include <math.h>
+#include <ctype.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Kind of quantity in a column; "" is a coefficient. */
+#define RATIO ""
+#define ANGLE "degrees"
+#define SPEED "speed"
+#define LENGTH "length"
+#define OF_MASS "mass"
+
+/* Angles may be rounded, and noise puts no rebound farther below the wall than this, in degrees. */
+#define RIGHT_ANGLE (90 * (1 + 1e-9))
+#define BELOW_MOST 20
+
+/* A larger number is a mistake. */
+#define LARGE 1e15
+
+/* Noise makes no rebound so many times as fast as the impact. */
+#define FASTER_MOST 10
 
 /* Tangential speeds in space and in the plane that differ by more, as a share of v1, are of a
  * rebound to the side: a ledger's numbers are rounded. */
 #define SIDEWAYS 1e-3
 
-/* Exits where a column is missing; CoR_T stands for CoR_N. */
-static void check_needed(const impact_file *f, const aspi_csv *csv, const cli_columns *l) {
-  static const char *const names[MEASURED_COLUMNS] = {
-      [ALPHA1] = "alpha1_deg", [V1] = "v1",     [POINT] = "cor_n",
-      [D_P] = "d_p",           [MESH] = "mesh", [TRIANGLE] = "triangle",
-      [ERODED] = "eroded_mass"};
+/* What stands before the name of the units in a ledger's comment. */
+#define UNITS "; units "
+
+/* Names as `plain` writes them; the first one is shown. */
+static const struct {
+  const char *names, *kind;
+  double least, most;
+} columns[SCATTER_COLUMNS] = {
+    [ALPHA1] = {"alpha1 alpha_1 impact_angle", ANGLE, 0, RIGHT_ANGLE},
+    [V1] = {"v1 impact_velocity impact_speed", SPEED, 0, LARGE},
+    [ALPHA2 + ASPI_IN_PLANE] = {"alpha2_plane alpha_2_plane", ANGLE, -BELOW_MOST, 2 * RIGHT_ANGLE},
+    [ALPHA2 + ASPI_IN_SPACE] = {"alpha2_space alpha_2_space", ANGLE, -BELOW_MOST, RIGHT_ANGLE},
+    [ALPHA2 + ASPI_IN_EITHER] = {"alpha2 alpha_2", ANGLE, -BELOW_MOST, 2 * RIGHT_ANGLE},
+    [V2 + ASPI_IN_PLANE] = {"v2_plane", SPEED, 0, LARGE},
+    [V2 + ASPI_IN_SPACE] = {"v2_space", SPEED, 0, LARGE},
+    [V2 + ASPI_IN_EITHER] = {"v2", SPEED, 0, LARGE},
+    [COR_ALPHA + ASPI_IN_PLANE] = {"cor_alpha_plane", RATIO, -LARGE, LARGE},
+    [COR_ALPHA + ASPI_IN_SPACE] = {"cor_alpha_space", RATIO, -LARGE, LARGE},
+    [COR_ALPHA + ASPI_IN_EITHER] = {"cor_alpha", RATIO, -LARGE, LARGE},
+    [COR_V + ASPI_IN_PLANE] = {"cor_v_plane", RATIO, 0, LARGE},
+    [COR_V + ASPI_IN_SPACE] = {"cor_v_space", RATIO, 0, LARGE},
+    [COR_V + ASPI_IN_EITHER] = {"cor_v", RATIO, 0, LARGE},
+    [V1_N] = {"v1_n", SPEED, -LARGE, LARGE},
+    [V1_T] = {"v1_t", SPEED, -LARGE, LARGE},
+    [V2_N] = {"v2_n", SPEED, -LARGE, LARGE},
+    [V2_T] = {"v2_t", SPEED, -LARGE, LARGE},
+    [POINT] = {"cor_n e_n", RATIO, -LARGE, LARGE},
+    [POINT + COR_T] = {"cor_t e_t", RATIO, -LARGE, LARGE},
+    [MEAN] = {"cor_n_mean e_n_mean", RATIO, -LARGE, LARGE},
+    [MEAN + COR_T] = {"cor_t_mean e_t_mean", RATIO, -LARGE, LARGE},
+    [SD] = {"cor_n_sd cor_n_std e_n_sd e_n_std", RATIO, 0, LARGE},
+    [SD + COR_T] = {"cor_t_sd cor_t_std e_t_sd e_t_std", RATIO, 0, LARGE},
+    [SE] = {"cor_n_se cor_n_sem e_n_se e_n_sem", RATIO, 0, LARGE},
+    [SE + COR_T] = {"cor_t_se cor_t_sem e_t_se e_t_sem", RATIO, 0, LARGE},
+    [COUNT] = {"n", RATIO, 0, LARGE},
+    [D_P] = {"dp d_p diameter particle_diameter", LENGTH, 0, LARGE},
+    [RADIUS] = {"radius particle_radius", LENGTH, 0, LARGE},
+    [OUTCOME] = {"outcome", RATIO, 0, 0},
+    [DELTA_ALPHA] = {"delta_alpha", ANGLE, -RIGHT_ANGLE, RIGHT_ANGLE},
+    [MESH] = {"mesh", RATIO, 0, INT_MAX},
+    [TRIANGLE] = {"triangle", RATIO, 0, INT_MAX},
+    [MASS] = {"mass", OF_MASS, 0, LARGE},
+    [ERODED] = {"eroded_mass", OF_MASS, 0, LARGE},
+};
+
+/* ---- names and units ---- */
+
+/* A name in small letters, the signs of units written out, all others as single underscores:
+ * `alpha_1 [°]` is alpha_1_deg. */
+static void plain(const char *name, char *to, size_t size) {
+  static const char *const written[][2] = {
+      {"\xc2\xb0", "_deg"}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}, {"%", "_percent"}};
+  size_t n = 0;
+  while (*name && n + 10 < size) {
+    size_t i = 0, count = sizeof written / sizeof *written;
+    while (i < count && strncmp(name, written[i][0], strlen(written[i][0])) != 0)
+      i++;
+    const char other[] = {isalnum((unsigned char)*name) ? (char)tolower((unsigned char)*name) : '_',
+                          '\0'};
+    const char *as = i < count ? written[i][1] : other;
+    as += *as == '_' && (n == 0 || to[n - 1] == '_');
+    n += (size_t)sprintf(to + n, "%s", as);
+    name += i < count ? strlen(written[i][0]) : 1;
+  }
+  while (n > 0 && to[n - 1] == '_')
+    n--;
+  to[n] = '\0';
+}
+
+/* The column with the longest name that a plain name begins with, -1 where there is none, and what
+ * stands behind it. */
+static int column_of(const char *name, const char **rest) {
+  for (size_t length = strlen(name); length > 0; length--)
+    for (int c = 0; c < SCATTER_COLUMNS && (!name[length] || name[length] == '_'); c++)
+      if (aspi_word_index(columns[c].names, name, length, true) >= 0) {
+        *rest = name + length + (name[length] == '_');
+        return c;
+      }
+  return -1;
+}
+
+/* The unit behind a column's name in SI, m/s written as m_s: 0 where none is stated, NAN if it is
+ * not read, -1 if it is no unit but a part of another name. `stated`: the file has it in brackets.
+ */
+static double factor_of(const char *kind, const char *unit, bool stated) {
+  char name[80];
+  size_t n = 0;
+  if (!*unit || (!*kind && strcmp(unit, "1") == 0))
+    return *kind ? 0 : 1;
+  for (; unit[n] && n + 1 < sizeof name; n++)
+    name[n] = (char)(unit[n] == '_' ? '/' : unit[n]);
+  const aspi_unit *u = aspi_unit_find(kind, name, n, false);
+  if (u)
+    return u->factor * pow(10, u->exponent);
+  return stated || aspi_unit_find("unread", name, n, false) ? NAN : -1;
+}
+
+/* The unit of a ledger's column that has none in its name: of the units in the first comment, else
+ * of SI; NAN where they have no size. */
+static double ledger_unit(const char *comment, const char *kind) {
+  static const struct {
+    const char *name;
+    double length, speed, mass;
+  } units[] = {{"si", 1, 1, 1},
+               {"cgs", 1e-2, 1e-2, 1e-3},
+               {"micro", 1e-6, 1, 1e-15},
+               {"nano", 1e-9, 1, 1e-21}};
+  const char *named = strstr(comment, UNITS);
+  named = named ? named + strlen(UNITS) : "si";
+  bool length = strcmp(kind, LENGTH) == 0, speed = strcmp(kind, SPEED) == 0;
+  if (!length && !speed && strcmp(kind, OF_MASS) != 0)
+    return 1;
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (strlen(units[i].name) == strcspn(named, ";") &&
+        strncmp(units[i].name, named, strlen(units[i].name)) == 0)
+      return length ? units[i].length : speed ? units[i].speed : units[i].mass;
+  return NAN;
+}
+
+/* The unit of a column by its name; exits where it is not read, or one is missing. */
+static double unit_of(const cli_scatter *t, int place, int column, double factor) {
+  const char *kind = columns[column].kind, *name = t->csv->names[place];
+  const char *path = t->csv->text.path;
+  const int own = (int)strcspn(columns[column].names, " ");
+  char list[120];
+  aspi_quantity_units(kind, list, sizeof list);
+  if (isnan(factor))
+    cli_bad_usage("%s: the unit of column '%s' is not read; it must be %s", path, name,
+                  *list ? list : "none, as a coefficient is a number such as 0.5");
+  if (factor > 0)
+    return factor;
+  if (t->is_ledger)
+    return ledger_unit(t->csv->comment, kind);
+  if (strcmp(kind, LENGTH) == 0)
+    cli_bad_usage("%s: the unit of column '%s' is not stated; name it %.*s_um, _mm or _m", path,
+                  name, own, columns[column].names);
+  if (strcmp(kind, ANGLE) == 0)
+    cli_warn("%s: the unit of column '%s' is not stated; it is taken as degrees (name it %.*s_deg "
+             "or _rad)",
+             path, name, own, columns[column].names);
+  return 1;
+}
+
+cli_scatter cli_scatter_open(const char *path, int end) {
   asp_error error;
-  for (int c = 0; c < MEASURED_COLUMNS; c++) {
-    if (!(f->needed & COLUMN_BIT(c)))
+  cli_scatter t = {.csv = aspi_csv_open(path, &error)};
+  cli_must(t.csv, &error);
+  t.is_ledger = strstr(t.csv->comment, UNITS) || aspi_csv_find(t.csv, "tilt_out_deg") >= 0;
+  for (int c = 0; c < SCATTER_COLUMNS; c++)
+    t.at[c] = -1;
+  for (int i = 0; i < t.csv->columns; i++) {
+    char name[80];
+    const char *rest;
+    plain(t.csv->names[i], name, sizeof name);
+    int c = column_of(name, &rest);
+    bool stated = strpbrk(t.csv->names[i], "[(");
+    double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, stated) : -1;
+    if (factor < 0)
       continue;
-    if (l->at[c] >= 0 && isnan(l->factor[c]))
-      cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", f->path, names[c]);
-    if (l->at[c] >= 0 || (c == POINT && l->at[POINT + COR_T] >= 0))
-      continue;
-    aspi_csv_need(csv, names[c], &error);
-    cli_bad_usage("%s; %s", error.text,
-                  c == ERODED
-                      ? "a ledger has it with 'columns full', or state 'erosion LAW' behind "
-                        "it"
-                      : "impacts are a ledger or what 'asperity cor' writes, and data stand "
-                        "behind them");
+    if (t.at[c] >= 0)
+      cli_bad_usage("%s: columns %d and %d, '%s' and '%s', are the same; there must be one", path,
+                    t.at[c] + 1, i + 1, t.csv->names[t.at[c]], t.csv->names[i]);
+    t.at[c] = i;
+    t.factor[c] = unit_of(&t, i, c, factor);
   }
+  return t;
 }
 
-void cli_scatter_read_rows(impact_file *f) {
+void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
+  char name[40];
   asp_error error;
-  cli_columns l;
-  aspi_csv *csv = aspi_csv_open(f->path, &error);
-  cli_must(csv, &error);
-  cli_columns_find(csv, f->path, f->wanted | f->needed, &l);
-  snprintf(f->comment, sizeof f->comment, "%.1000s", csv->comment);
-  check_needed(f, csv, &l);
-  uint32_t needed = f->needed & ~COLUMN_BIT(POINT); /* deposits have no coefficients */
-  double of[MEASURED_COLUMNS];
-  for (bool found = true; found;) {
-    asp_code code = aspi_csv_row(csv, &found, &error);
-    if (!code && found && !(code = cli_columns_row(csv, &l, needed, of, &error))) {
-      if (l.at[OUTCOME] < 0)
-        of[OUTCOME] = !(of[POINT] > 0);
-      code = f->take(f->taker, of, &error);
-    }
-    cli_must(!code, &error);
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(columns[column].names, " "),
+           columns[column].names);
+  if (t->at[column] < 0) {
+    aspi_csv_need(t->csv, name, &error);
+    cli_bad_usage("%s%s", error.text, hint);
   }
-  aspi_csv_close(csv);
+  if (isnan(t->factor[column]))
+    cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->csv->text.path,
+                  name);
+  t->needed[column] = true;
 }
 
-/* ---- all impacts of a file ---- */
+/* ---- rows ---- */
 
-/* CoR_T of the whole speed along the wall. */
-static double cor_t_space(const double of[]) {
-  double alpha = cli_radians(of[ALPHA1]), normal = of[POINT] * sin(alpha);
-  double ratio = isnan(of[COR_V_SPACE]) ? of[V2] / of[V1] : of[COR_V_SPACE];
-  return isnan(of[POINT + COR_T]) ? NAN
-                                  : sqrt(fmax(0, ratio * ratio - normal * normal)) / cos(alpha);
+/* Reads an outcome: a word, or the number of a ledger. */
+static double outcome_of(const aspi_csv *csv, const char *word) {
+  static const char *const words[] = {"rebound rebounded",
+                                      "deposit deposited deleted stuck sticks"};
+  char *end;
+  double number = aspi_number(word, &end);
+  bool is_number = end > word && !*end;
+  for (int i = 0; i < 2; i++)
+    if (is_number ? number >= i && number <= 2 * i
+                  : aspi_word_index(words[i], word, strlen(word), false) >= 0)
+      return i;
+  cli_bad_usage("%s:%zu: outcome is '%.40s'; it must be rebound or deposit (or stuck, or 0 or 1)",
+                csv->text.path, csv->text.line, word);
 }
 
-static asp_code add_impact(void *taker, const double of[], asp_error *error) {
-  aspi_scatter_impacts *impacts = taker;
-  bool deposit = of[OUTCOME] > 0;
-  double whole = deposit ? NAN : cor_t_space(of);
-  if ((impacts->count & (impacts->count - 1)) == 0) {
-    size_t room = impacts->count ? 2 * impacts->count : 1;
-    aspi_scatter_point *grown = realloc(impacts->points, room * sizeof *grown);
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu rows", impacts->count);
-    impacts->points = grown;
+bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
+  asp_error error;
+  bool found, missing;
+  cli_must(!aspi_csv_row(t->csv, &found, &error), &error);
+  for (int c = 0; c < SCATTER_COLUMNS; c++) {
+    value[c] = NAN;
+    if (!found || t->at[c] < 0)
+      continue;
+    double by = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
+    if (c == OUTCOME)
+      value[c] = outcome_of(t->csv, t->csv->fields[t->at[c]]);
+    else
+      cli_must(!aspi_csv_number(t->csv, t->at[c], columns[c].least / by, columns[c].most / by,
+                                &value[c], t->needed[c] ? NULL : &missing, &error),
+               &error);
+    value[c] *= t->factor[c];
   }
-  impacts->sideways = impacts->sideways ||
-                      (whole - fabs(of[POINT + COR_T])) * cos(cli_radians(of[ALPHA1])) > SIDEWAYS;
-  impacts->rough = impacts->rough || fabs(of[DELTA_ALPHA]) > 0;
-  impacts->deposits += deposit;
-  impacts->points[impacts->count++] = (aspi_scatter_point){
-      of[ALPHA1], (float)of[V1], (float)of[D_P],
-      deposit,    (float)whole,  {deposit ? NAN : of[POINT], deposit ? NAN : of[POINT + COR_T]}};
-  return ASP_OK;
+  if (!found)
+    aspi_csv_close(t->csv);
+  return found;
 }
 
-aspi_scatter_impacts cli_scatter_read_impacts(const char *path) {
-  aspi_scatter_impacts impacts = {.count = 0};
-  impact_file from = {.path = path,
-                      .wanted = COLUMN_BIT(POINT + COR_T) | COLUMN_BIT(DELTA_ALPHA) |
-                                COLUMN_BIT(V1) | COLUMN_BIT(D_P) | COLUMN_BIT(V2) |
-                                COLUMN_BIT(COR_V_SPACE) | COLUMN_BIT(OUTCOME),
-                      .needed = COLUMN_BIT(ALPHA1) | COLUMN_BIT(POINT),
-                      .take = add_impact,
-                      .taker = &impacts};
-  cli_scatter_read_rows(&from);
-  memcpy(impacts.comment, from.comment, sizeof impacts.comment);
-  double most = 0;
-  for (size_t i = 0; i < impacts.count; i++)
-    most = fmax(most, impacts.points[i].degrees);
-  if (impacts.count == impacts.deposits)
-    cli_bad_usage("%s: no rebound in it (%zu deposits)", path, impacts.deposits);
-  cli_warn_radians(path, most);
-  return impacts;
+/* ---- scatter ---- */
+
+/* The columns that give the coefficients, in this order where there are several. */
+typedef struct form {
+  bool means, points, components;
+  aspi_rebound_view ratios, velocities; /* ASPI_VIEWS: none */
+} form;
+
+static bool has(const cli_scatter *t, int column) {
+  return t->at[column] >= 0;
+}
+
+static aspi_rebound_view view_of(const cli_scatter *t, int speed, int angle) {
+  int view = ASPI_IN_PLANE;
+  while (view < ASPI_VIEWS && !(has(t, speed + view) && has(t, angle + view)))
+    view++;
+  return (aspi_rebound_view)view;
+}
+
+static form find_form(cli_scatter *t) {
+  form f = {.means = has(t, MEAN) || has(t, MEAN + COR_T),
+            .points = has(t, POINT) || has(t, POINT + COR_T),
+            .components = has(t, V1_N) && has(t, V1_T) && has(t, V2_N) && has(t, V2_T),
+            .ratios = view_of(t, COR_V, COR_ALPHA),
+            .velocities = has(t, V1) ? view_of(t, V2, ALPHA2) : ASPI_VIEWS};
+  bool impacts = f.points || f.components || f.ratios < ASPI_VIEWS || f.velocities < ASPI_VIEWS;
+  if (!f.components)
+    cli_scatter_need(t, ALPHA1, "");
+  if (impacts == f.means)
+    cli_bad_usage("%s: %s; impacts are columns alpha1,v1,alpha2,v2 or cor_v,cor_alpha, with "
+                  "both of _plane or of _space, or v1_n,v1_t,v2_n,v2_t or cor_n,cor_t; means are "
+                  "cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd",
+                  t->csv->text.path,
+                  impacts ? "both impacts and means" : "neither impacts nor means");
+  return f;
+}
+
+/* The coefficients of the components of both velocities. */
+static void take_velocities(double n1, double t1, double n2, double t2, aspi_scatter_row *row) {
+  row->cor[COR_N] = n1 > 0 ? n2 / n1 : NAN;
+  row->cor[COR_T] = fabs(t1) > 1e-12 * n1 && row->degrees < 90 - 1e-9 ? t2 / t1 : NAN;
+}
+
+static aspi_scatter_row row_of(const form *f, const double v[]) {
+  double a1 = aspi_radians(v[ALPHA1]);
+  aspi_scatter_row row = {.degrees = fmin(90, v[ALPHA1]),
+                          .v1 = v[V1],
+                          .d_p = isnan(v[D_P]) ? 2 * v[RADIUS] : v[D_P],
+                          .n = v[COUNT]};
+  for (int k = 0; k < COR_BOTH; k++) {
+    row.cor[k] = v[(f->means ? MEAN : POINT) + k];
+    row.sd[k] = v[SD + k];
+    row.se[k] = v[SE + k];
+  }
+  if (f->means || f->points)
+    return row;
+  if (f->components) {
+    row.degrees = aspi_degrees(atan2(fabs(v[V1_N]), fabs(v[V1_T])));
+    row.v1 = hypot(v[V1_N], v[V1_T]);
+    take_velocities(fabs(v[V1_N]), v[V1_T], fabs(v[V2_N]), v[V2_T], &row);
+    return row;
+  }
+  bool ratios = f->ratios < ASPI_VIEWS;
+  double a2 = ratios ? v[COR_ALPHA + f->ratios] * a1 : aspi_radians(v[ALPHA2 + f->velocities]);
+  double share = ratios ? v[COR_V + f->ratios] : v[V2 + f->velocities] / v[V1];
+  take_velocities(sin(a1), cos(a1), share * sin(a2), share * cos(a2), &row);
+  return row;
+}
+
+/* CoR_T of the whole speed along the wall; the speed in a ledger is that in space. */
+static double cor_t_space(const cli_scatter *t, const double v[], const aspi_scatter_row *row) {
+  double alpha = aspi_radians(row->degrees), normal = row->cor[COR_N] * sin(alpha);
+  double v2 = v[V2 + (t->is_ledger ? ASPI_IN_EITHER : ASPI_IN_SPACE)];
+  double share = isnan(v[COR_V + ASPI_IN_SPACE]) ? v2 / v[V1] : v[COR_V + ASPI_IN_SPACE];
+  double square = share * share - normal * normal;
+  return isnan(row->cor[COR_T]) ? NAN : sqrt(square < 0 ? 0 : square) / cos(alpha);
+}
+
+static void add_row(aspi_scatter *s, aspi_scatter_row row) {
+  if ((s->count & (s->count - 1)) == 0) {
+    size_t room = s->count ? 2 * s->count : 1;
+    s->rows = realloc(s->rows, room * sizeof *s->rows);
+    if (!s->rows)
+      cli_fail("out of memory for %zu rows", s->count);
+  }
+  s->deposits += row.deposit;
+  s->rows[s->count++] = row;
+}
+
+/* Mirrors a measured rebound that is below the wall at it, and exits if it is too fast. */
+static void mend(const aspi_csv *csv, aspi_scatter_row *row) {
+  double alpha = aspi_radians(row->degrees), n = row->cor[COR_N] * sin(alpha),
+         t = row->cor[COR_T] * cos(alpha);
+  double ratio = hypot(isnan(n) ? 0 : n, isnan(t) ? 0 : t);
+  if (ratio > FASTER_MOST)
+    cli_bad_usage("%s:%zu: at %g degrees the rebound is %g times as fast as the impact; correct or "
+                  "remove it",
+                  csv->text.path, csv->text.line, row->degrees, ratio);
+  row->cor[COR_N] = fabs(row->cor[COR_N]);
+}
+
+static int by_place(const void *left, const void *right) {
+  const aspi_scatter_row *a = left, *b = right;
+  if (a->degrees < b->degrees || a->degrees > b->degrees)
+    return a->degrees < b->degrees ? -1 : 1;
+  if (a->v1 < b->v1 || a->v1 > b->v1)
+    return a->v1 < b->v1 ? -1 : 1;
+  return (a->d_p > b->d_p) - (a->d_p < b->d_p);
+}
+
+/* Reads the rows; warns of those that noise put below the wall, and of those that are left out. */
+static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
+  const char *path = t->csv->text.path;
+  double v[SCATTER_COLUMNS], most = 0;
+  size_t below = 0, empty = 0;
+  while (cli_scatter_row(t, v)) {
+    aspi_scatter_row row = row_of(f, v);
+    double n = row.cor[COR_N];
+    row.deposit = !f->means && (s->has_outcome ? v[OUTCOME] > 0 : n <= 0 && n >= 0);
+    if (row.deposit)
+      row.cor[COR_N] = row.cor[COR_T] = NAN;
+    row.cor_t_space = cor_t_space(t, v, &row);
+    double aside = row.cor_t_space - fabs(row.cor[COR_T]);
+    s->sideways = s->sideways || aside * cos(aspi_radians(row.degrees)) > SIDEWAYS;
+    s->rough = s->rough || fabs(v[DELTA_ALPHA]) > 0;
+    most = fmax(most, row.degrees);
+    below += row.cor[COR_N] < 0;
+    if (measured)
+      mend(t->csv, &row);
+    if (s->has_outcome || isfinite(row.cor[COR_N]) || isfinite(row.cor[COR_T]))
+      add_row(s, row);
+    else
+      empty++;
+  }
+  if (measured && below > 0)
+    cli_warn("%s: %zu rebounds are below the wall, as by noise; they are mirrored at it", path,
+             below);
+  if (empty > 0)
+    cli_warn("%s: %zu of %zu rows have neither coefficient nor outcome and are left out", path,
+             empty, empty + s->count);
+  if (s->count > 0 && most < CLI_RADIANS_MOST)
+    cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
+             CLI_RADIANS_MOST);
+}
+
+/* Reads all rows, in order. */
+static aspi_scatter read(cli_scatter *t, bool measured) {
+  form f = find_form(t);
+  aspi_scatter s = {.means = f.means,
+                    .has_speed = has(t, V1) || f.components,
+                    .has_size = has(t, D_P) || has(t, RADIUS),
+                    .has_outcome = has(t, OUTCOME)};
+  bool plane = f.means || f.points || f.components;
+  s.view = plane ? ASPI_IN_PLANE : f.ratios < ASPI_VIEWS ? f.ratios : f.velocities;
+  snprintf(s.comment, sizeof s.comment, "%.1000s", t->csv->comment);
+  read_rows(t, &f, measured, &s);
+  qsort(s.rows, s.count, sizeof *s.rows, by_place);
+  return s;
+}
+
+aspi_scatter cli_scatter_read_impacts(const char *path) {
+  cli_scatter t = cli_scatter_open(path, DELTA_ALPHA + 1);
+  cli_scatter_need(&t, ALPHA1, "");
+  if (t.at[POINT + COR_T] < 0)
+    cli_scatter_need(&t, POINT,
+                     "; impacts are a ledger or what 'asperity cor' writes, and data stand behind "
+                     "them");
+  t.needed[POINT] = false; /* deposits have none */
+  aspi_scatter s = read(&t, false);
+  if (s.count == s.deposits)
+    cli_bad_usage("%s: no rebound in it (%zu deposits)", path, s.deposits);
+  return s;
+}
+
+aspi_scatter cli_scatter_read_data(const char *path, const cli_option *view) {
+  cli_scatter t = cli_scatter_open(path, DELTA_ALPHA + 1);
+  aspi_scatter s = read(&t, true);
+  if (s.count == 0)
+    cli_bad_usage("%s: no row of data", path);
+  if (view->value && s.view != ASPI_IN_EITHER)
+    cli_bad_usage("--view is '%s'; the columns of %s say it themselves", view->value, path);
+  if (view->value)
+    s.view = cli_choice(view) ? ASPI_IN_SPACE : ASPI_IN_PLANE;
+  return s;
+}
+
+void cli_scatter_need_view(const char *path, aspi_scatter *data, bool matters) {
+  if (data->view == ASPI_IN_EITHER && matters)
+    cli_bad_usage(
+        "%s: are speed and angle of rebounds those in the plane of incidence, as one camera "
+        "sees them, or those in space? Name the columns v2_plane, alpha2_plane or "
+        "v2_space, alpha2_space (cor_v, cor_alpha alike), or give --view plane or --view "
+        "space",
+        path);
+  if (data->view == ASPI_IN_EITHER)
+    data->view = ASPI_IN_PLANE;
 }

@@ -1,23 +1,88 @@
-/* Files of impacts, as `asperity cor` and the ledger of a wall write them.
+/* Tables of impacts, as `asperity cor` and the ledger of a wall write them, and of measured
+ * coefficients of restitution: a row per impact, or per mean of some. Exits on a file that is none.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SCATTER_H
 #define ASP_CLI_SCATTER_H
 
-#include "cli/measured_columns.h"
+#include "analysis/impacts.h"
+#include "base/csv.h"
+#include "cli/cli.h"
 
-typedef struct impact_file {
-  const char *path;
-  uint32_t wanted, needed; /* columns, of measured_columns.h: read where they are there; must be */
-  asp_code (*take)(void *taker, const double of[MEASURED_COLUMNS], asp_error *error); /* a row */
-  void *taker;
-  char comment[1024]; /* the file's first one */
-} impact_file;
+/* Columns. Those of a rebound's velocity are there once for each view: V2 + ASPI_IN_PLANE. */
+enum {
+  ALPHA1,
+  V1,
+  ALPHA2,
+  V2 = ALPHA2 + ASPI_VIEWS,
+  COR_ALPHA = V2 + ASPI_VIEWS,
+  COR_V = COR_ALPHA + ASPI_VIEWS,
+  V1_N = COR_V + ASPI_VIEWS,
+  V1_T,
+  V2_N,
+  V2_T,
+  POINT, /* cor_n, cor_t */
+  MEAN = POINT + COR_BOTH,
+  SD = MEAN + COR_BOTH,
+  SE = SD + COR_BOTH,
+  COUNT = SE + COR_BOTH,
+  D_P,
+  RADIUS,
+  OUTCOME, /* 1 for a deposit, else 0 */
+  DELTA_ALPHA,
+  MESH,
+  TRIANGLE,
+  MASS,
+  ERODED,
+  SCATTER_COLUMNS
+};
 
-/* Hands over the rows of a file one by one. Exits on a file that is not one of these. */
-void cli_scatter_read_rows(impact_file *file);
+/* A table that is read row by row; of each column its place in the file, -1 where there is none,
+ * and its unit in SI (angles: degrees), NAN where it has no size, as in `units lj`. */
+typedef struct cli_scatter {
+  aspi_csv *csv;
+  bool is_ledger, needed[SCATTER_COLUMNS];
+  int at[SCATTER_COLUMNS];
+  double factor[SCATTER_COLUMNS];
+} cli_scatter;
 
-/* All of them. */
-aspi_scatter_impacts cli_scatter_read_impacts(const char *path);
+/* Opens a table for the columns below `end`. */
+cli_scatter cli_scatter_open(const char *path, int end);
+
+/* Exits, with a hint, unless there is a column, with a number in each row. */
+void cli_scatter_need(cli_scatter *table, int column, const char *hint);
+
+/* The numbers of the next row in SI and degrees, NAN where there are none; false at the end of the
+ * file, which is closed. */
+bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
+
+/* Impacts of a model or a simulation, which have coefficients; and measured data of any form, by
+ * default with the view of an option. Both in order of angle, speed and size. */
+aspi_scatter cli_scatter_read_impacts(const char *path);
+aspi_scatter cli_scatter_read_data(const char *path, const cli_option *view);
+
+/* Exits where the data do not say how they look at rebounds, and it makes a difference. */
+void cli_scatter_need_view(const char *path, aspi_scatter *data, bool matters);
+
+/* The option of commands that read data, and the part of their help about the columns. */
+#define SCATTER_OPTION                                                                             \
+  {                                                                                                \
+    "view", "plane|space",                                                                         \
+        "velocity of v2, alpha2, cor_v, cor_alpha in the data, if their names do not say it", NULL \
+  }
+#define SCATTER_FORMS                                                                              \
+  "DATA is CSV (- is standard input). A name may carry its unit: alpha1_deg or alpha1_rad,\n"      \
+  "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. An\n"    \
+  "angle without a unit is in degrees, with a warning, a speed in m/s; a length must have one.\n"  \
+  "Titles and `sep=;` may precede the names; e_n and e_t are cor_n and cor_t, _std and _sem are\n" \
+  "_sd and _se, radius is half of dp. The command takes these columns, where they are there:\n"    \
+  "  impacts  alpha1, v1, alpha2, v2 | v1_n, v1_t, v2_n, v2_t | alpha1, cor_v, cor_alpha |\n"      \
+  "           alpha1, cor_n, cor_t; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
+  "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \
+  "and v1, dp with either. Give a polynomial by points on it, as means. If the wall throws\n"      \
+  "particles to the side, alpha2, v2, cor_v and cor_alpha must say which velocity they belong\n"   \
+  "to: alpha2_plane, v2_plane and so on to that in the plane of incidence, as one camera sees\n"   \
+  "it; alpha2_space (0 to 90 degrees from the wall), v2_space and so on to that in space.\n"       \
+  "Rebounds that noise put below the wall are mirrored at it.\n"
 
 #endif

@@ -37,7 +37,7 @@ static double draw(const scene *s, const aspi_view *view, uint64_t sample) {
   double delta;
   if (!draw_face(s, view, &stream, &delta))
     cli_fail("model '%s' found no face for alpha1 = %g degrees", s->model->name,
-             cli_degrees(view->alpha1));
+             aspi_degrees(view->alpha1));
   return delta;
 }
 
@@ -89,7 +89,7 @@ static void print_list(FILE *out) {
 static void print_density(FILE *out, const asp_spread_model *model, const aspi_view *view) {
   fputs("delta_alpha_deg,density_per_deg\n", out);
   for (int i = -900; i <= 900; i++) {
-    double density = model->density(view, cli_radians(0.1 * i)) * ASP_PI / 180;
+    double density = model->density(view, aspi_radians(0.1 * i)) * ASP_PI / 180;
     if (density > 0)
       fprintf(out, "%.1f,%.8g\n", 0.1 * i, density);
   }
@@ -101,8 +101,8 @@ static void print_summary(FILE *out, const asp_spread_model *model, const aspi_v
   for (size_t i = 0; i < n; i++)
     aspi_running_add(&all, sample[i]);
   gsl_sort(sample, 1, n);
-  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, cli_degrees(view->alpha1), all.mean,
-          aspi_running_sd(&all), gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.05),
+  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, aspi_degrees(view->alpha1),
+          all.mean, aspi_running_sd(&all), gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.05),
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.5),
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.95));
 }
@@ -110,7 +110,7 @@ static void print_summary(FILE *out, const asp_spread_model *model, const aspi_v
 static void draw_sample(double *sample, size_t n, const scene *s, const aspi_view *view) {
   cli_progress progress = cli_progress_begin("sampling", (double)n);
   for (size_t i = 0; i < n; i++) {
-    sample[i] = cli_degrees(draw(s, view, i));
+    sample[i] = aspi_degrees(draw(s, view, i));
     if (i % 65536 == 0)
       cli_progress_show(&progress, (double)i);
   }
@@ -119,7 +119,7 @@ static void draw_sample(double *sample, size_t n, const scene *s, const aspi_vie
 
 static void one_angle(FILE *out, const cli_call *call, const scene *s, double angle, size_t n) {
   aspi_view view = s->view;
-  view.alpha1 = cli_radians(angle);
+  view.alpha1 = aspi_radians(angle);
   if (cli_value(call, "pdf")) {
     print_density(out, s->model, &view);
     return;

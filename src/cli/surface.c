@@ -223,7 +223,7 @@ static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row 
 static double tilt_of(const slopes_row *r, bool measured) {
   double kappa = kappa_of(r), of_numbers = sqrt(2) * r->r_q / r->lambda_c * aspi_closed_form(kappa);
   double disc = measured ? r->slopes.slope_rms : of_numbers;
-  return cli_degrees(atan(disc * aspi_sphere_over_disc(kappa)));
+  return aspi_degrees(atan(disc * aspi_sphere_over_disc(kappa)));
 }
 
 static void print_rows(FILE *out, const slopes_row *rows, size_t count, bool measured) {
@@ -233,8 +233,8 @@ static void print_rows(FILE *out, const slopes_row *rows, size_t count, bool mea
   for (const slopes_row *r = rows; r < rows + count; r++)
     fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", r->d_p * 1e6,
             r->r_q * 1e6, r->lambda_c * 1e6, r->r_q / r->lambda_c, kappa_of(r), r->slopes.slope_rms,
-            cli_degrees(atan(r->slopes.slope_rms)), cli_degrees(r->slopes.angle.mean),
-            cli_degrees(r->slopes.angle.sd), r->slopes.angle.kurtosis, r->slopes.kl_normal,
+            aspi_degrees(atan(r->slopes.slope_rms)), aspi_degrees(r->slopes.angle.mean),
+            aspi_degrees(r->slopes.angle.sd), r->slopes.angle.kurtosis, r->slopes.kl_normal,
             tilt_of(r, measured));
 }
 
@@ -258,7 +258,7 @@ static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
   for (size_t i = 0; i < n && i < DRAWN_MOST; i++)
     cli_row(out, "%.9g,%.6g,%.6g,%.6g,%.6g\n", (double)i * dx * 1e6,
             asp_profile_heights(wall->profile)[i] * 1e6, closed[i] * 1e6, center[i] * 1e6,
-            i < tilts ? cli_degrees(atan(slope[i])) : NAN);
+            i < tilts ? aspi_degrees(atan(slope[i])) : NAN);
   free(center);
   free(closed);
   free(slope);

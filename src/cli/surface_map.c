@@ -93,13 +93,13 @@ static void print(FILE *out, const measured *m, const slopes *rows, size_t count
       out,
       "\n# ellipse of the autocorrelation 1/e: lambda_1 %.6g um across the lay, lambda_2 %.6g um "
       "along it, the lay %.4g deg from the rows\n",
-      d->lambda_1 * 1e6, d->lambda_2 * 1e6, cli_degrees(d->lay));
+      d->lambda_1 * 1e6, d->lambda_2 * 1e6, aspi_degrees(d->lay));
   fputs("dp_um,rq_um,lambda_1_um,lambda_2_um,lay_deg,phi_r,kappa,slope_rms_across,slope_rms_along,"
         "slope_skewness_across,slope_skewness_along\n",
         out);
   for (size_t i = 0; i < count; i++)
     fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.4g,%.6g,%.6g,%.6g,%.6g,%.4g,%.4g\n", rows[i].d_p * 1e6,
-            d->s_q * 1e6, d->lambda_1 * 1e6, d->lambda_2 * 1e6, cli_degrees(d->lay), d->phi_r,
+            d->s_q * 1e6, d->lambda_1 * 1e6, d->lambda_2 * 1e6, aspi_degrees(d->lay), d->phi_r,
             sqrt(3) * rows[i].d_p * d->s_q / (d->lambda_1 * d->lambda_1), rows[i].rms[0],
             rows[i].rms[1], rows[i].skewness[0], rows[i].skewness[1]);
 }

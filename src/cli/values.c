@@ -16,14 +16,6 @@
 /* And so is a lower stress (Pa). */
 #define STRESS_WITHOUT_UNIT 1e6
 
-double cli_degrees(double radians) {
-  return radians * (180 / ASP_PI);
-}
-
-double cli_radians(double degrees) {
-  return degrees * (ASP_PI / 180);
-}
-
 const cli_option *cli_get(const cli_call *call, const char *name) {
   for (const cli_option *o = call->options; o->name; o++)
     if (strcmp(o->name, name) == 0)

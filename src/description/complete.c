@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/units.h"
 #include "description/description.h"
 #include "surface/size_law.h"
 
@@ -103,7 +104,7 @@ static asp_code check_erosion(const asp_description *d, asp_error *error) {
 
 static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) {
   double metre = d->units.metre > 0 ? d->units.metre : 1, lambda = SIGMA_LAMBDA * metre;
-  double slope = tan(d->sigma * (ASP_PI / 180));
+  double slope = tan(aspi_radians(d->sigma));
   asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, error);
   if (made)
     aspi_surface_set_feature(made, d->lambda_c > 0 ? d->lambda_c : 0);

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
+#include "base/units.h"
 #include "base/error.h"
 #include "base/quantity.h"
 
@@ -184,7 +185,7 @@ asp_lay asp_description_lay(const asp_description *d) {
   if (lay.kind == ASP_LAY_ANGLE && d->lay_word)
     lay.angle = strcmp(d->lay_word, "axial") == 0 ? 0 : 0.5 * ASP_PI;
   else if (lay.kind == ASP_LAY_ANGLE)
-    lay.angle = d->lay_numbers[0] * (ASP_PI / 180);
+    lay.angle = aspi_radians(d->lay_numbers[0]);
   if (lay.kind == ASP_LAY_VECTOR) {
     const double *v = d->lay_numbers;
     double per_length = 1 / sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/units.h"
 #include "base/number.h"
 #include "base/quantity.h"
 #include "description/words.h"
@@ -87,7 +88,7 @@ static asp_code read_slope(aspi_words *r, const char *name, double *slope) {
   asp_code code =
       aspi_quantity_read(name, given, *end ? "degrees" : "", &r->d->units, slope, r->error);
   if (!code && *end)
-    *slope = tan(*slope * (ASP_PI / 180));
+    *slope = tan(aspi_radians(*slope));
   return code ? code : aspi_quantity_check(name, given, "", *slope, 0, INFINITY, true, r->error);
 }
 

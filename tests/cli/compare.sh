@@ -64,7 +64,7 @@ refuses 2 "mixture" "v2_plane, alpha2_plane" "--view" -- compare model mixture
 sed 's/_plane//g' truth.plane > unsaid
 "$asperity" compare model unsaid --view plane | grep -v '^#' | cmp <("$asperity" compare model truth.plane | grep -v '^#') || die "compare --view"
 sed '1s/v2_plane/v2_space/' truth.plane > crossed
-refuses 2 "alpha2_plane_deg" "v2_space" "not of the same velocity" -- compare model crossed
+refuses 2 "neither impacts nor means" "both of _plane or of _space" -- compare model crossed
 
 # Means count by their standard errors, else by sd and n, else by the sd; what was not measured stays empty.
 printf 'alpha1_deg,cor_n_mean,cor_n_sd,cor_n_se,cor_t_mean,n\n30,0.33,0.15,,,100\n60,0.165,0.1,0.004,0.79,\n60,0.165,0.1,,,\n' > means
@@ -72,8 +72,8 @@ printf 'alpha1_deg,cor_n_mean,cor_n_sd,cor_n_se,cor_t_mean,n\n30,0.33,0.15,,,100
 [ "$(column data_mean_se got | paste -sd,)" = 0.015,0.004,0.1,,,, ] || die "compare: means: $(cat got)"
 rows got | awk -F, '$1 == "cor_n" { chi2 += ($8 - $13) ^ 2 / ($9 ^ 2 + $14 ^ 2) / 3 } $1 == "score" { d = $17 / chi2 - 1; exit !(d * d < 1e-8 && $18 > 0) }' || die "compare: the score of means: $(cat got)"
 
-# Names and units as people write them: components with a unit in brackets, std and sem, radius; what is left out, what is too
-# fast, and why there is no score, is said.
+# Names and units as people write them: components with a unit in brackets, std and sem, radius; what is left out and what is
+# too fast, and why there is no score, is said.
 sed '1s|.*|v1_n [m/s],v1_t [m/s],v2_n [m/s],v2_t [m/s]|' components > brackets
 "$asperity" compare model brackets --near 90,9,9 | rows /dev/stdin | cmp - <("$asperity" compare model components --near 90,9,9 | rows /dev/stdin) || die "compare: units of components in brackets"
 printf 'alpha1_deg,e_n_mean,e_n_std,e_n_sem,cor_t_mean,N,radius_um\n30,0.33,0.15,,,100,5\n60,0.165,0.1,0.004,0.79,,5\n60,0.165,0.1,,,,5\n' > words
@@ -85,15 +85,8 @@ grep -q "gaps: 2 of 4 rows have neither" err || die "compare: rows without numbe
 grep -q "gaps: there is no score, as no bin has 10 impacts" err || die "compare: no reason for a missing score: $(cat err)"
 printf 'alpha1_deg,cor_n_mean\n30,0.3\n' | "$asperity" compare model - > got 2> err
 grep -q "no score, as no mean has a standard error: columns cor_n_se" err || die "compare: no reason for a missing score: $(cat err)"
-{ echo alpha1_deg,v1_m_s,alpha2_plane_deg,v2_plane,cor_n,cor_t; echo 30,100,20,50,0.342,0.543; echo 30,100,20,50,0.7,0.543; } > both
-"$asperity" compare model both > got 2> err
-grep -q "both: in 1 of 2 rows the coefficients, which are taken, contradict .* cor_n at 30 degrees: 0.7, by velocities 0.342" err || die "compare: data that contradict themselves: $(cat err)"
-"$asperity" compare model model.ledger 2>&1 > got | grep contradict && die "compare: a ledger contradicts itself"
-printf 'alpha1_deg,cor_n\n30,0.3\n30,2.9\n' > fast
-"$asperity" compare model fast > got 2> err
-grep -q "in 1 of 2 rows the rebound is over 1.2 times as fast .* 1.45 times" err || die "compare: a fast rebound"
 printf 'alpha1_deg,cor_n\n30,0.3\n30,1e6\n30,0.2\n' > million
-refuses 2 "at 30 degrees the rebound is 500000 times as fast" -- compare model million
+refuses 2 "million:3: at 30 degrees the rebound is 500000 times as fast" -- compare model million
 
 # Places by speed and size: the model's impacts there, and no others.
 { "$asperity" cor --angles 30 --speed 20 --samples 30; "$asperity" cor --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model

@@ -38,7 +38,7 @@ refuses 2 "'oka' belongs behind 'erosion'" -- erosion ledger oka 1.8GPa
 awk '!n++ { print "# asperity 1.0.0; fix wall wall/rebound; units lj; surface smooth" } { print }' ledger > lj
 refuses 2 "which have no size in SI" -- erosion lj erosion dnv density 7800 --density 2500
 refuses 2 "no column 'mass'" "--density" -- erosion ledger erosion dnv density 7800
-refuses 2 "'alpha1_deg' is missing" -- erosion many erosion dnv density 7800
+refuses 2 "'alpha1' is missing" -- erosion many erosion dnv density 7800
 cut -d, -f2- many > no_mesh; sed -i 's/^mesh/of/' no_mesh
 refuses 2 "'mesh' is missing" -- erosion no_mesh
 sed '1s/ erosion dnv face mean//' many > unworn

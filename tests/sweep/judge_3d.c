@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "judge_3d.h"
+#include "base/units.h"
 #include "base/error.h"
 #include "base/stream.h"
 #include "dilated_map.h"
