@@ -27,14 +27,13 @@ static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
 }
 
 /* Fields that are numbers; -1 where there are none but empty ones. */
-static int numbers_of(char **fields, int count, char separator) {
+static int numbers_of(char **fields, int count) {
   int numbers = 0;
   bool any = false;
   for (int i = 0; i < count; i++) {
     double value;
     any = any || *fields[i];
-    numbers += aspi_text_number(fields[i], separator == ';' || separator == '\t', &value) ==
-               ASP_WORD_NUMBER;
+    numbers += aspi_text_number(fields[i], &value) == ASP_WORD_NUMBER;
   }
   return any ? numbers : -1;
 }
@@ -94,7 +93,7 @@ static bool is_data(aspi_csv *csv, above *a) {
   char separator = csv->forced ? csv->separator : aspi_text_separator(line);
   strcpy(copy, line);
   int count = aspi_text_split(copy, separator, fields, ASP_CSV_COLUMNS);
-  int numbers = numbers_of(fields, count, separator);
+  int numbers = numbers_of(fields, count);
   if (numbers <= 0) {
     strcpy(a->line[1], a->line[0]);
     strcpy(a->line[0], numbers < 0 ? "" : line);
@@ -229,8 +228,7 @@ asp_code aspi_csv_number(const aspi_csv *csv, int column, double least, double m
   aspi_word word = ASP_WORD_MISSING;
   *value = NAN;
   if (column >= 0)
-    word = aspi_text_number(csv->fields[column], csv->separator == ';' || csv->separator == '\t',
-                            value);
+    word = aspi_text_number(csv->fields[column], value);
   if (missing)
     *missing = word == ASP_WORD_MISSING;
   if (word == ASP_WORD_MISSING && missing)

@@ -1,7 +1,7 @@
 /* Tables in text files: lines of fields under a line of column names. That line is the last one
  * above the first numbers; a line of units may stand between, and titles above. The separator is
  * the one that a first line `sep=` names; otherwise the first of semicolon, tab, comma and blank
- * that the first row has. With semicolons and tabs, a comma in a number is a decimal point. Quotes
+ * that the first row has. A comma in a number is a decimal point. Quotes
  * hold a field together, lines that begin with # are comments, blank lines are skipped, and a
  * byte-order mark is left out. The file is read as a stream.
  *

@@ -11,7 +11,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { WORD_MOST = 64 };
 
@@ -188,13 +187,6 @@ char *aspi_text_trim(char *text) {
   return text;
 }
 
-bool aspi_text_holds(const char *text, const char *part) {
-  for (; *text; text++)
-    if (strncasecmp(text, part, strlen(part)) == 0)
-      return true;
-  return false;
-}
-
 /* Strips one pair of quotes off a field and halves doubled quotes, in place. */
 static char *unquote(char *field) {
   size_t length = strlen(field);
@@ -274,7 +266,7 @@ static bool is_missing(const char *text, size_t length) {
 }
 
 /* Converts a number to C's form: an ASCII minus, a decimal point, an exponent with E. */
-static bool normalize(char *text, bool comma) {
+static bool normalize(char *text) {
   static const char minus[] = "\xE2\x88\x92";
   for (char *at; (at = strstr(text, minus)) != NULL;) {
     *at = '-';
@@ -288,10 +280,10 @@ static bool normalize(char *text, bool comma) {
   if (!mark)
     return true;
   *mark = '.';
-  return comma && strchr(text, '.') == mark && !strpbrk(mark + 1, ".,");
+  return strchr(text, '.') == mark && !strpbrk(mark + 1, ".,");
 }
 
-aspi_word aspi_text_number(const char *text, bool comma, double *value) {
+aspi_word aspi_text_number(const char *text, double *value) {
   size_t length = aspi_text_inside(&text);
   char copy[WORD_MOST], *end;
   *value = NAN;
@@ -301,7 +293,7 @@ aspi_word aspi_text_number(const char *text, bool comma, double *value) {
     return ASP_WORD_OTHER;
   memcpy(copy, text, length);
   copy[length] = '\0';
-  if (!normalize(copy, comma))
+  if (!normalize(copy))
     return ASP_WORD_OTHER;
   double read = aspi_number(copy, &end);
   if (end == copy || *end)

@@ -48,9 +48,6 @@ size_t aspi_text_inside(const char **text);
 /* A text without the blanks at both ends; in place. */
 char *aspi_text_trim(char *text);
 
-/* True if a part stands anywhere in a text, in small letters or large. */
-bool aspi_text_holds(const char *text, const char *part);
-
 /* The separator of a line's fields: the first of ; tab , in this order that it has, or a blank for
  * runs of white space. */
 char aspi_text_separator(const char *line);
@@ -77,10 +74,8 @@ aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char 
  * text. */
 typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } aspi_word;
 
-/* Reads all of a text, blanks around it left out; with `comma` its commas are decimal points. An
- * exponent may begin with D (Fortran), digits may be grouped in threes by the mark that is not the
- * decimal one (1,234.5 or 1.234,5), by apostrophes or by blanks that do not break, with `comma` by
- * any blank. */
-aspi_word aspi_text_number(const char *text, bool comma, double *value);
+/* Reads all of a text, blanks around it left out. A comma is a decimal point; an exponent may begin
+ * with D (Fortran). */
+aspi_word aspi_text_number(const char *text, double *value);
 
 #endif

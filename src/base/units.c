@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 #include "base/error.h"
-#include "base/text.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -64,50 +63,4 @@ const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t lengt
 double aspi_unit_metres(const char *name, size_t length) {
   const aspi_unit *u = aspi_unit_find("length", name, length, false);
   return u ? u->factor * pow(10, u->exponent) : 0;
-}
-
-static bool is_letter(char c) {
-  return isalpha((unsigned char)c) || (unsigned char)c >= 0x80;
-}
-
-/* A unit in brackets, behind an underscore or a slash is one for certain; a word of its own is one
- * unless a number comes before it, or it is a single letter, or the word `in`. */
-static bool states_unit(const char *line, const char *word, size_t length, bool named) {
-  const char *before = word;
-  while (before > line && before[-1] == ' ')
-    before--;
-  char c = before > line ? before[-1] : '\0';
-  if (c && strchr("([{_/", c))
-    return true;
-  if (isdigit((unsigned char)c) || c == '.')
-    return false;
-  bool preposition = length == 2 && strncasecmp(word, "in", 2) == 0;
-  return !preposition && (length > 1 || named);
-}
-
-int aspi_units_in(const char *line, double found[2]) {
-  bool named = aspi_text_holds(line, "unit");
-  int count = 0;
-  for (const char *c = line; *c;) {
-    size_t length = 0;
-    while (is_letter(c[length]))
-      length++;
-    double metres = length ? aspi_unit_metres(c, length) : 0;
-    if (metres > 0 && states_unit(line, c, length, named)) {
-      if (count < 2)
-        found[count] = metres;
-      count++;
-    }
-    c += length ? length : 1;
-  }
-  return count;
-}
-
-int aspi_header_units(const char *line, double found[2]) {
-  int count = aspi_units_in(line, found);
-  if (count == 1 && aspi_text_holds(line, "unit")) {
-    found[1] = found[0];
-    count = 2;
-  }
-  return count;
 }

@@ -27,14 +27,6 @@ const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t lengt
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
 double aspi_unit_metres(const char *name, size_t length);
 
-/* The units of length in a line of a header, in meters: how many there are, and the first two. A
- * number before a unit makes it a value, not the unit of a column. A line with `unit` in it states
- * one for both. */
-int aspi_header_units(const char *line, double units[2]);
-
-/* The units in a line; one that covers both columns is counted once. */
-int aspi_units_in(const char *line, double units[2]);
-
 static inline double aspi_degrees(double radians) {
   return radians * (180 / ASP_PI);
 }

@@ -28,14 +28,14 @@ void aspi_positions_begin(aspi_positions *p) {
   gsl_rstat_quantile_reset(&p->median);
 }
 
-void aspi_positions_precision(aspi_positions *p, const char *written, bool comma) {
+void aspi_positions_precision(aspi_positions *p, const char *written) {
   int decimals = 0, digits = 0;
   bool point = false;
   for (; *written && *written != 'e' && *written != 'E'; written++) {
     bool digit = isdigit((unsigned char)*written);
     digits += digit && (digits > 0 || *written != '0');
     decimals += digit && point;
-    point = point || *written == '.' || (comma && *written == ',');
+    point = point || *written == '.' || *written == ',';
   }
   if (*written)
     decimals -= (int)fmax(-400, fmin(400, aspi_number(written + 1, NULL)));

@@ -43,7 +43,7 @@ asp_code aspi_positions_add(aspi_positions *p, const aspi_text *text, double x, 
                             asp_error *error);
 
 /* Takes in how finely a position is written. */
-void aspi_positions_precision(aspi_positions *p, const char *written, bool comma);
+void aspi_positions_precision(aspi_positions *p, const char *written);
 
 /* Completes `raw` with the heights at equal spacing from the least position on, and that spacing in
  * the file's unit: those of the file where they are equally spaced but for rounding, else between

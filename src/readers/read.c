@@ -94,16 +94,6 @@ static asp_code check_map_options(const char *path, const aspi_profile_options *
   return ASP_OK;
 }
 
-/* The first line that is not blank. */
-static asp_code read_first_line(aspi_text *text, asp_error *error) {
-  bool found = true;
-  asp_code code;
-  do {
-    code = aspi_text_line(text, &found, error);
-  } while (!code && found && aspi_text_blank(text->text));
-  return code || found ? code : aspi_text_fail(text, text->line, error, "the file is empty");
-}
-
 static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                          asp_error *error) {
   aspi_format format;
@@ -119,12 +109,10 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
                            "%.200s: this is SDF in binary, which is read as a map, not as a "
                            "profile",
                            text->path);
-  if (format == ASP_FORMAT_TEXT && raw->is_map)
-    return aspi_read_map_text(text, options, raw, error);
-  if ((code = read_first_line(text, error)))
-    return code;
   if (format == ASP_FORMAT_SDF_TEXT)
     return aspi_read_sdf(text, false, options, raw, error);
+  if (raw->is_map)
+    return aspi_read_map_text(text, options, raw, error);
   if (options->row != 1)
     return aspi_fail(error, ASP_EARG, "%.200s: row %d is asked for; text in columns has no rows",
                      text->path, options->row);

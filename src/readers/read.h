@@ -115,11 +115,10 @@ typedef enum aspi_format {
 } aspi_format;
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
-/* The readers, which leave raw->heights to be freed by the caller, on error too: a profile's
- * columns of text, and SDF, with the first line in ASCII that is not blank already in text->text; a
- * matrix of heights or lines of x, y, z as text, from its beginning. */
-asp_code aspi_read_columns(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
-                           asp_error *error);
+/* The readers of a text at its beginning: a profile's columns, SDF, and a map as a matrix of
+ * heights or lines of x, y, z. They leave raw->heights to be freed by the caller, on error too. */
+asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
+                           aspi_raw *raw, asp_error *error);
 asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
                        aspi_raw *raw, asp_error *error);
 asp_code aspi_read_map_text(const aspi_text *text, const aspi_profile_options *options,

@@ -50,7 +50,7 @@ static asp_code read_key(aspi_text *text, sdf *h, bool *ends, asp_error *error) 
   *equals = '\0';
   char *key = aspi_text_trim(line), *value = aspi_text_trim(equals + 1);
   double *place = place_of(h, key);
-  if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
+  if (place && aspi_text_number(value, place) != ASP_WORD_NUMBER)
     return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
                           value);
   return ASP_OK;
@@ -95,8 +95,12 @@ static asp_code check_scales(const aspi_text *text, const sdf *h, asp_error *err
 
 static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
   *h = (sdf){NAN, NAN, NAN, NAN, NAN, 0, -1};
-  for (bool ends = false, found; !ends;) {
+  for (bool ends = false, version = true, found; !ends;) { /* the version stands first */
     asp_code code = aspi_text_line(text, &found, error);
+    if (!code && found && version) {
+      version = aspi_text_blank(text->text);
+      continue;
+    }
     if (!code && !found)
       code = aspi_text_fail(text, text->line, error, "the file ends within the SDF header");
     if (!code)
@@ -206,7 +210,7 @@ static asp_code read_height(aspi_text *text, const sdf *h, size_t index, double 
     return aspi_text_fail(text, text->line, error,
                           "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f",
                           index, h->points, h->profiles);
-  if (aspi_text_number(text->text, false, height) == ASP_WORD_OTHER)
+  if (aspi_text_number(text->text, height) == ASP_WORD_OTHER)
     return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected",
                           text->text);
   return ASP_OK;

@@ -131,5 +131,5 @@ refuses 2 --dp 0.1um 0.5um -- surface surface profile waves.csv --dp 0.1um
 refuses 2 d_p "profile's length" -- surface surface profile waves.csv --dp 1m
 refuses 2 nowhere.csv 'No such file' -- surface surface profile nowhere.csv
 : > empty.csv
-refuses 2 empty.csv:1 'is empty' -- surface surface profile empty.csv
+refuses 2 empty.csv:1 'without a line of two numbers' -- surface surface profile empty.csv
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"
