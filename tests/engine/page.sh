@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every command in the Examples of the fix's page runs as it stands there; and the page has every keyword in a table.
+# Every command in the Examples of the fix's page runs as it stands there, and so does the script of README.md; and the
+# page has every keyword in a table.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 page=$here/../../src/liggghts/fix_wall_rebound.md
@@ -40,6 +41,14 @@ run 200"; } > example.in
     grep -E '^ +200 ' example.in.screen | awk '{ exit !($2 >= 1) }' || die "no impact: $line"
   fi
 done < examples
+
+# The whole script of README.md runs as it stands there, without a warning.
+kind=sphere; [ $simulator != liggghts ] || kind=granular
+awk -v kind=$kind '/^```/ { if (text ~ "atom_style +" kind) printf "%s", text; text = ""; next } { text = text $0 "\n" }' \
+  "$here/../../README.md" > readme.in
+"$bin/$simulator-asperity" -in readme.in -log none > readme.screen 2>&1 || die "the script of README.md: $(tail -n 3 readme.screen)"
+if grep WARNING readme.screen; then die "the script of README.md warns"; fi
+grep -qE '^ +600 +2795 +2800 +60 *$' readme.screen || die "the script of README.md has other impacts"
 
 # The words that the fix knows are those of the tables.
 wall='mesh n_meshes 1 meshes blade'

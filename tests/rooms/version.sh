@@ -13,12 +13,10 @@ says() { # FILE VERSION
 says .github/CHANGELOG.md "$(sed -n 's/^## //p' .github/CHANGELOG.md | head -n 1)"
 says CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
 says src/python "$(sed -n 's/^__version__ = "\(.*\)"$/\1/p' src/python/asperity/__init__.py)"
-says README.md "$(sed -n 's/^ *version *= {\(.*\)},$/\1/p' README.md)"
 released=$(sed -n 's/^date-released: //p' CITATION.cff)
 dated() { # FILE DATE FORMAT
   local wanted; wanted=$(LC_ALL=C date -d "$released" "+$3")
   [ "$2" = "$wanted" ] || { echo "FAILED: $1 is dated '$2'; by CITATION.cff it is '$wanted'"; bad=1; }
 }
-dated README.md "$(sed -n '/^@software/,/^}/s/^ *year *= {\(.*\)}.*/\1/p' README.md)" %Y
 dated .github/paper.md "$(sed -n 's/^date: //p' .github/paper.md)" '%-d %B %Y'
 exit $bad

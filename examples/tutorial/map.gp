@@ -1,0 +1,22 @@
+# Impacts per mm^2 on the triangles of map.awk, and what stuck to them by the ledger.
+#   gnuplot map.gp
+# SPDX-License-Identifier: GPL-3.0-or-later
+set term pngcairo size 1000,600 font 'sans,16'
+set output 'map.png'
+unset border; unset tics; unset key
+set view 125, 20
+set view equal xyz
+set pm3d depthorder corners2color c1 lighting primary 0.45 specular 0.15
+set palette defined (0 '#f4f4f4', 0.25 '#c6dbef', 0.5 '#6baed6', 1 '#08519c')
+set cblabel 'impacts per mm^2'
+set label 'orange: deposits' at screen 0.5, 0.05 center textcolor '#d55e00'
+set multiplot
+set lmargin at screen 0.02; set rmargin at screen 0.84; set bmargin at screen 0.05; set tmargin at screen 0.98
+set xrange [-6.5:6.5]; set yrange [-0.5:16.5]; set zrange [-2.5:2.5]
+splot 'map.txt' using 1:2:3:4 with pm3d
+unset colorbox; unset label
+# plots of their own: what pm3d sorts by depth covers points, and at a thin edge the side that was hit
+splot 'map.txt' using 1:2:3:($4 > 0 ? $4 : NaN) with pm3d
+set datafile separator comma
+splot 'impacts.csv' using (1e3*$6):(1e3*$7):(1e3*$8):($19 > 0 ? 0.9 : 0) with points pt 7 ps variable lc rgb '#d55e00'
+unset multiplot
