@@ -14,6 +14,16 @@
  * object that they belong to. The few structs that a program holds itself change with the major
  * version only.
  *
+ *   asp_error error;
+ *   asp_wall *wall = asp_wall_from_text("surface rq 5um lambda_c 40um materials quartz 304-ss",
+ *                                       0, 0, &error);
+ *   asp_particle grain = {.d_p = 1e-5, .density = 2650};
+ *   asp_key key = {.seed = 1, .wall = asp_key_wall("plate"), .tag = 1, .impact = 1};
+ *   double v1[3] = {93.97, 0, -34.20}, n[3] = {0, 0, 1};
+ *   asp_impact impact;
+ *   asp_wall_impact(wall, &grain, v1, n, &key, &impact);
+ *   asp_wall_free(wall);
+ *
  * The numbered equations are those of Altmeppen, Sommerfeld, Koch & Staudacher (2020), "An
  * analytical approach to estimate the effect of surface roughness on particle rebound".
  *
@@ -40,8 +50,6 @@ const char *asp_version(void);
 
 #define ASP_PI 3.14159265358979323846
 
-enum { ASP_BINS_MAX = 256 }; /* diameters that a measured wall can be prepared for */
-
 /* ---- errors ---------------------------------------------------------------------------------- */
 typedef enum asp_code {
   ASP_OK = 0,
@@ -58,314 +66,16 @@ typedef struct asp_error {
   char text[480]; /* one line without a full stop: name, value, and what it must be */
 } asp_error;
 
-/* ---- units ----------------------------------------------------------------------------------- */
-/* The caller's units: the number of them in one SI unit (1 for SI, 1e6 for micrometers; 0: not
- * known). The name is for messages, as "'units lj'". */
-typedef struct asp_units {
-  const char *name;
-  double metre, kilogram, second;
-} asp_units;
+const char *asp_code_name(asp_code code); /* as "ASP_EARG" */
 
-/* ---- profile --------------------------------------------------------------------------------- */
-/* Heights of a wall along a line, at equal spacing. Lengths are in any one unit. A generated
- * profile is periodic; a measured one continues beyond its ends as its mirror image. */
-typedef struct asp_profile asp_profile;
-
-/* A Gaussian profile (Garcia & Stoll 1984, secondary source): white noise filtered so that the
- * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. Of any number of points, but at least 20
- * lambda_c long and at most lambda_c/4 apart. r_q and lambda_c are those of the ensemble: a sample
- * has them within its sampling error. The same seed gives the same profile. */
-asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, size_t points,
-                                uint32_t seed, asp_error *error);
-
-/* A profile from heights[points], which are copied: at least three, all finite. */
-asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
-                                      bool periodic, asp_error *error);
-void asp_profile_free(asp_profile *profile);
-size_t asp_profile_points(const asp_profile *profile);
-double asp_profile_spacing(const asp_profile *profile);
-const double *asp_profile_heights(const asp_profile *profile);
-
-/* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
- * or spaces; after any header), or SDF in ASCII (ISO 25178-71). A text file must state its unit in
- * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
- * um`), or the reader must be given it; the same lines say which columns are positions and heights,
- * where there are more. Positions may be rounded: the spacing comes from all of them. They may
- * fall, and repeat themselves (heights are averaged); what follows the data is left out. Columns X
- * and Y beside the heights give the distance along a straight line. A column named depth or Tiefe
- * counts downward and is turned over. */
-typedef struct asp_reader asp_reader;
-asp_reader *asp_reader_create(asp_error *error);
-void asp_reader_free(asp_reader *reader);
-
-/* Sets an option of reading by name; the default is in brackets:
- *   unit_x, unit_z  meters in one unit of a text file's columns (0: as the file states)
- *   metre           one meter in the unit of the result (1; 1e6 for micrometers)
- *   form            degree of the polynomial that is taken out as form, 0 to 9 (1); -1: none
- *   spikes          points this many robust sd off their neighbors, in every direction on a map,
- *                   are bad (0: none are)
- *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
- *   resample        1: unequal spacing is resampled by straight lines (1); 0: it is refused
- *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of
- *                   a text file, column is that of the heights (0: by the header)
- *   x_column        of a text file: that of the positions (0: by the header)
- *   step_x          meters between heights of a text file that has no positions (0: it has some)
- *   missing         a height that stands for a missing one, in the file's unit (NaN: there is none)
- *   tip, lambda_s, cutoff
- *                   filters, in meters (0: left out): the radius of the stylus whose dilation is
- *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
- *                   16610-21 takes waves out
- * Units, step_x and missing are refused for SDF files, which state them. */
-asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
-
-/* The profile of a file; the message names file and line. */
-asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error);
-
-/* One sentence about the file read last: points, bad ones, spikes, points filled in, the form taken
- * out, and how positions and columns were taken. */
-const char *asp_reader_text(const asp_reader *reader);
-
-/* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
- * off all neighbors, where no spikes were looked for), heights in few levels, or cut off at an end
- * of their range. For a front end to warn of. */
-asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
-
-/* ---- map ------------------------------------------------------------------------------------- */
-/* Heights of a wall over an area, row after row, at equal spacing along x (in a row) and along y
- * (from row to row), in single precision. Heights of a file are relative to their mean. Lengths are
- * in any one unit. */
-typedef struct asp_map asp_map;
-
-/* A map from heights[rows * columns], row after row, which are copied: 4 to 65536 columns and rows,
- * all finite. */
-asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,
-                              double step_y, bool periodic, asp_error *error);
-void asp_map_free(asp_map *map);
-size_t asp_map_columns(const asp_map *map);
-size_t asp_map_rows(const asp_map *map);
-double asp_map_step_x(const asp_map *map);
-double asp_map_step_y(const asp_map *map);
-const float *asp_map_heights(const asp_map *map);
-
-/* The map of a file: SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or
- * lines of x, y, z on a grid, in columns of these names, or where there are three columns. The
- * reader's options count as for profiles, but form is the degree of a polynomial in x and y, and
- * resample has no effect; row, column, x_column and the filters are refused. Also step_x, step_y,
- * meters between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
- * matrices do; step_y: as step_x). Closed formats are refused with the name of a free program that
- * converts them. */
-asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);
-
-/* A map in numbers by name (ISO 25178-2), each worked out anew: s_q, s_a, s_sk, s_ku, s_p, s_v,
- * s_z, s_dq, s_al, s_tr; and by the ellipse that fits the 1/e contour of the autocorrelation best:
- * lambda_1 <= lambda_2, its half axes, and lay, the direction of the longer one from x toward y
- * (rad). NaN and a message where there is none. */
-double asp_map_get(const asp_map *map, const char *name, asp_error *error);
-
-/* ---- surface --------------------------------------------------------------------------------- */
-/* The rms slope of a rough wall as a sphere of diameter d_p meets it. */
-typedef struct asp_surface asp_surface;
-
-/* ASP_ERANGE and a message when d_p is beyond the range in which the slope was checked: to be
- * called at setup, before the contacts begin. */
-asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error);
-
-/* The wall's own numbers: phi_r (eq. 9), and the unfiltered rms slope: sqrt(2) phi_r of a Gaussian
- * wall. */
-double asp_surface_r_q(const asp_surface *surface);
-double asp_surface_lambda_c(const asp_surface *surface);
-double asp_surface_lambda_along(const asp_surface *surface); /* lambda_c where there is no lay */
-double asp_surface_phi_r(const asp_surface *surface);
-double asp_surface_slope_rms(const asp_surface *surface);
-
-/* kappa = sqrt(3) d_p r_q / lambda_c^2: the particle's radius times the rms curvature of the
- * profile, across the lay. Under about 0.4 the particle follows the profile and its size does not
- * matter. */
-double asp_surface_kappa(const asp_surface *surface, double d_p);
-
-/* The rms slope s_eff of the profile, across the lay, closed by a disc of diameter d_p (>= 0, the
- * surface's unit): for a Gaussian wall of phi_r <= 0.25 s (1 + 0.92 kappa^3)^(-1/6), within 5 % of
- * generated profiles for kappa up to 16. Walls with tilt `plane` take it. Those with `isotropic`
- * take that of a sphere on a surface, along the axis i across the lay or along it and with the
- * other one as j: s_i (1 + kappa_i^2 (0.92 kappa_i + 0.37 kappa_j))^(-1/6), within 2 % for kappa up
- * to 4 and small slopes, 4 % high at 8; at phi_r 0.25 5 % low for kappa 1 to 1.5. */
-double asp_surface_slope(const asp_surface *surface, double d_p);
-
-/* ---- spread models --------------------------------------------------------------------------- */
-/* The distribution of the tilt delta_alpha of the face that is hit, cut to |delta_alpha| < 90
- * degrees (a height function has no overhangs, and a particle hits only faces turned toward it)
- * and normalized. */
-typedef struct asp_spread_model asp_spread_model;
-
-/* All models, in a fixed order: 0 <= index < asp_spread_count(); the first is `none`, that of
- * smooth walls, which is no word of a description. find: by name; NULL and a message that lists the
- * names if there is none. */
-int asp_spread_count(void);
-const asp_spread_model *asp_spread_at(int index);
-const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
-const char *asp_spread_name(const asp_spread_model *model);
-const char *asp_spread_summary(const asp_spread_model *model);
-const char *asp_spread_source(const asp_spread_model *model);
-
-/* ---- materials ------------------------------------------------------------------------------- */
-/* A material. Its numbers, by name: youngs_modulus (Pa, > 0), poissons_ratio (more than -1, less
- * than 0.5), density (kg/m^3, > 0), yield_stress (Pa; 0 where there is no value: it counts for the
- * particle only). Those of a material of your own may be in any consistent units. */
-typedef struct asp_material asp_material;
-
-int asp_material_count(void); /* of the presets */
-const asp_material *asp_material_at(int index);
-
-/* A material of your own, all of whose numbers are still 0. */
-asp_material *asp_material_create(const char *name, asp_error *error);
-void asp_material_free(asp_material *material);
-asp_code asp_material_set(asp_material *material, const char *name, double value, asp_error *error);
-double asp_material_get(const asp_material *material, const char *name); /* NaN for another name */
-const char *asp_material_name(const asp_material *material);
-
-/* Constants of a contact between a particle and a wall material. By name:
- *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
- *   yield_stress    the particle's, >= 0
- *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, which is in SI: set
- *                   it where the materials are in other units)
- *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
+/* ---- a wall and its impacts ------------------------------------------------------------------ */
 typedef struct asp_pair asp_pair;
-asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);
-void asp_pair_free(asp_pair *pair);
-asp_code asp_pair_set(asp_pair *pair, const char *name, double value, asp_error *error);
-double asp_pair_get(const asp_pair *pair, const char *name); /* NaN for another name */
 
-/* Defaults where a user gives none. */
-#define ASP_FRICTION 0.3       /* Bons et al. 2017, secondary source */
-#define ASP_SURFACE_ENERGY 0.8 /* J/m^2, Bons et al. 2017, recalled, original not seen */
-
-/* ---- rebound laws ---------------------------------------------------------------------------- */
-typedef struct asp_rebound_law asp_rebound_law;
-int asp_rebound_count(void);
-const asp_rebound_law *asp_rebound_at(int index);
-const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error);
-const char *asp_rebound_name(const asp_rebound_law *law);
-bool asp_rebound_needs_pair(const asp_rebound_law *law); /* asp_particle.pair must be given */
-
-/* A parameter of a law, which asp_description_set sets; NULL for an index that there is not. */
-typedef struct asp_parameter {
-  const char *name;
-  const char *unit; /* the kind of its unit, as "stress"; "" for none */
-  double fallback;  /* the value where the user gives none */
-  double least, most;
-  const char *text;    /* what it is, its source, and whether the original was seen */
-  const char *keyword; /* the word of a script that it follows, the same for several in a row that
-                          follow it together; NULL: it follows the law's name */
-  const char *words;   /* those for the values 0, 1 ..., separated by blanks; NULL: a number */
-} asp_parameter;
-const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index);
-
-typedef struct asp_particle asp_particle;
-
-/* ---- the description of a wall --------------------------------------------------------------- */
-/* A description of a wall in words, as in a script and in the command:
- *
- *   surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz hastelloy-x
- *
- * `asperity help wall` prints all of them. Without words it is a smooth wall with the law `bons`. A
- * number alone is in the caller's units (NULL: SI; their name must live as long as the
- * description), one with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles
- * are degrees. Names with blanks stand in quotes. A word without an effect on the wall is an error.
- * Files of tables and materials are read here, files of measured walls by asp_wall_create. */
-typedef struct asp_description asp_description;
-asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error);
-void asp_description_free(asp_description *description);
-
-/* The canonical text, numbers in the caller's units, in SI lengths with their unit (um or m):
- * parsing it gives the same wall. Writes at most `size` characters with the NUL, and returns how
- * many characters there are without it. */
-size_t asp_description_text(const asp_description *description, char *text, size_t size);
-
-/* A keyword of a description, one of the list that `asperity help wall` prints; NULL for an index
- * past the last. The parameters of the laws are in lists of their own, asp_rebound_parameter. */
-typedef struct asp_keyword {
-  const char *name;
-  const char *within; /* the keyword that it belongs to; "" where it begins a clause of its own */
-  const char *values; /* as a syntax shows them; "" for none */
-  const char
-      *unit;     /* of a number: its kind, as "length", "degrees", "" for none; NULL: no number */
-  size_t number; /* 0: no number that get and set know; else for the library's own use */
-  size_t flag;   /* for the library's own use */
-  double fallback, least, most;
-  bool above; /* it must be more than `least` */
-  bool whole;
-  bool may_fit;         /* `asperity calibrate` can fit it */
-  const char *standard; /* the default, as text; "" where there is none */
-  const char *text;
-} asp_keyword;
-const asp_keyword *asp_keyword_at(int index);
-
-/* A number by name: a parameter of the law, or a keyword that is one. get: NaN where there is none
- * of that name, or it has no value. set checks the range; of the keywords within a clause it takes
- * those that are given. */
-double asp_description_get(const asp_description *description, const char *name);
-asp_code asp_description_set(asp_description *description, const char *name, double value,
-                             asp_error *error);
-
-/* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread,
- * tilt, collisions, rebound and deposit; `file` of the profile or the map; `doubt`, what is
- * doubtful about the heights, once asp_wall_create has read them. NULL for another name, and for a
- * file that there is not. */
-const char *asp_description_word(const asp_description *description, const char *name);
-
-/* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
- * (rad) from its axis about the outward normal. */
-typedef enum asp_lay_kind { ASP_LAY_NONE, ASP_LAY_VECTOR, ASP_LAY_ANGLE } asp_lay_kind;
-typedef struct asp_lay {
-  asp_lay_kind kind;
-  double vector[3];
-  double angle;
-} asp_lay;
-asp_lay asp_description_lay(const asp_description *description);
-
-/* Heights in place of the file of `surface profile FILE` or `surface map FILE`; they must live as
- * long as the description. ASP_EARG where the surface is another one. */
-asp_code asp_description_set_profile(asp_description *description, const asp_profile *profile,
-                                     asp_error *error);
-asp_code asp_description_set_map(asp_description *description, const asp_map *map,
-                                 asp_error *error);
-
-/* The materials of a description, in its units, which live as long as it does; NULL for an index
- * outside 0 <= index < asp_description_materials(). */
-int asp_description_materials(const asp_description *description);
-const asp_material *asp_description_material(const asp_description *description, int index);
-
-/* A pair of materials that are in the description's units, with its friction, surface energy and
- * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY (0 where the units are not
- * known) and the particle's own. */
-asp_pair *asp_description_pair(const asp_description *description, const asp_material *particle,
-                               const asp_material *target, asp_error *error);
-
-/* ---- wall and impact ------------------------------------------------------------------------- */
-/* A wall that is ready for contacts of particles with diameters from d_least to d_most, in the
- * description's units; both count only if asp_description_needs_sizes, else they may be 0. Reads
- * the file of a measured wall unless the caller has set its heights, and makes the surface and the
- * tables of the model. The wall needs the description no longer. */
+/* A wall from its description in SI units, as in a script; see below. It is ready for contacts of
+ * particles with diameters from d_least to d_most, which count for measured walls only. */
 typedef struct asp_wall asp_wall;
-asp_wall *asp_wall_create(asp_description *description, double d_least, double d_most,
-                          asp_error *error);
-bool asp_description_needs_sizes(const asp_description *description);
-
-/* A wall in one call, from a text in SI units. */
 asp_wall *asp_wall_from_text(const char *text, double d_least, double d_most, asp_error *error);
 void asp_wall_free(asp_wall *wall);
-
-/* The parts of a wall. The surface is NULL where it is smooth. The pair is that of the first two
- * materials of the description, the particle's and the wall's; NULL where there are fewer, or the
- * law takes none. */
-const asp_surface *asp_wall_surface(const asp_wall *wall);
-const asp_spread_model *asp_wall_spread(const asp_wall *wall);
-const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
-const asp_pair *asp_wall_pair(const asp_wall *wall);
-
-/* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay: with `isotropic` of
- * the sphere, with `plane` of the disc (both: asp_surface_slope); 0 on a smooth wall. */
-double asp_wall_slope(const asp_wall *wall, double d_p);
 
 /* The draws of a contact depend on this key alone, so results do not depend on the number of MPI
  * ranks, the order of contacts, or a restart. */
@@ -387,7 +97,7 @@ typedef struct asp_body {
   double lever[3];           /* from the center of mass to the center of the touching sphere */
 } asp_body;
 
-struct asp_particle {
+typedef struct asp_particle {
   double d_p;           /* diameter, > 0; of a body that of the touching sphere */
   double density;       /* > 0; of a body it does not count */
   const asp_pair *pair; /* NULL: that of the wall */
@@ -398,7 +108,7 @@ struct asp_particle {
   double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
                          the description; 0: that one */
   const asp_body *body; /* NULL: a solid sphere */
-};
+} asp_particle;
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
 
@@ -448,6 +158,165 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
 /* Coefficients of n contacts, in the arrays of asp_wall_impacts; to coefficients[n]. */
 void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
                               const asp_impact *impacts, asp_coefficients *coefficients);
+
+/* ---- the description of a wall --------------------------------------------------------------- */
+/* The caller's units: the number of them in one SI unit (1 for SI, 1e6 for micrometers; 0: not
+ * known). The name is for messages, as "'units lj'". */
+typedef struct asp_units {
+  const char *name;
+  double meter, kilogram, second;
+} asp_units;
+
+/* A description of a wall in words, as in a script and in the command:
+ *
+ *   surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz hastelloy-x
+ *
+ * `asperity help wall` prints all of them. Without words it is a smooth wall with the law `bons`. A
+ * number alone is in the caller's units (NULL: SI; their name must live as long as the
+ * description), one with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles
+ * are degrees. Names with blanks stand in quotes. A word without an effect on the wall is an error.
+ * Files of tables and materials are read here, files of measured walls by asp_wall_create. */
+typedef struct asp_description asp_description;
+asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error);
+void asp_description_free(asp_description *description);
+
+/* The canonical text, numbers in the caller's units, in SI lengths with their unit (um or m):
+ * parsing it gives the same wall. Writes at most `size` characters with the NUL, and returns how
+ * many characters there are without it. */
+size_t asp_description_text(const asp_description *description, char *text, size_t size);
+
+/* A number by name: a parameter of the law, or a keyword that is one. get: NaN where there is none
+ * of that name, or it has no value. set checks the range; of the keywords within a clause it takes
+ * those that are given. */
+double asp_description_get(const asp_description *description, const char *name);
+asp_code asp_description_set(asp_description *description, const char *name, double value,
+                             asp_error *error);
+
+/* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread,
+ * tilt, collisions, rebound and deposit; `file` of the profile or the map; `doubt`, what is
+ * doubtful about the heights, once asp_wall_create has read them. NULL for another name, and for a
+ * file that there is not. */
+const char *asp_description_word(const asp_description *description, const char *name);
+
+/* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
+ * (rad) from its axis about the outward normal. */
+typedef enum asp_lay_kind { ASP_LAY_NONE, ASP_LAY_VECTOR, ASP_LAY_ANGLE } asp_lay_kind;
+typedef struct asp_lay {
+  asp_lay_kind kind;
+  double vector[3];
+  double angle;
+} asp_lay;
+asp_lay asp_description_lay(const asp_description *description);
+
+/* A wall of a description, for diameters from d_least to d_most in its units; both count only if
+ * asp_description_needs_sizes, else they may be 0. Reads
+ * the file of a measured wall unless the caller has set its heights, and makes the surface and the
+ * tables of the model. The wall needs the description no longer. */
+asp_wall *asp_wall_create(asp_description *description, double d_least, double d_most,
+                          asp_error *error);
+bool asp_description_needs_sizes(const asp_description *description);
+
+/* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay: with `isotropic` of
+ * the sphere, with `plane` of the disc (both: asp_surface_slope); 0 on a smooth wall. */
+double asp_wall_slope(const asp_wall *wall, double d_p);
+
+/* ---- heights of a measured wall -------------------------------------------------------------- */
+/* Heights of a wall along a line, at equal spacing. Lengths are in any one unit. A generated
+ * profile is periodic; a measured one continues beyond its ends as its mirror image. */
+typedef struct asp_profile asp_profile;
+
+/* A Gaussian profile (Garcia & Stoll 1984, secondary source): white noise filtered so that the
+ * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. Of any number of points, but at least 20
+ * lambda_c long and at most lambda_c/4 apart. r_q and lambda_c are those of the ensemble: a sample
+ * has them within its sampling error. The same seed gives the same profile. */
+asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, size_t points,
+                                uint32_t seed, asp_error *error);
+
+/* A profile from heights[points], which are copied: at least three, all finite. */
+asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
+                                      bool periodic, asp_error *error);
+void asp_profile_free(asp_profile *profile);
+size_t asp_profile_points(const asp_profile *profile);
+double asp_profile_spacing(const asp_profile *profile);
+const double *asp_profile_heights(const asp_profile *profile);
+
+/* Heights of a wall over an area, row after row, at equal spacing along x (in a row) and along y
+ * (from row to row), in single precision. Heights of a file are relative to their mean. Lengths are
+ * in any one unit. */
+typedef struct asp_map asp_map;
+
+/* A map from heights[rows * columns], row after row, which are copied: 4 to 65536 columns and rows,
+ * all finite. */
+asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,
+                              double step_y, bool periodic, asp_error *error);
+void asp_map_free(asp_map *map);
+
+/* A map in numbers, of which s_q to s_tr are those of ISO 25178-2 without a filter. */
+typedef struct asp_map_numbers {
+  double s_q, s_a;           /* rms and mean absolute height */
+  double s_sk, s_ku;         /* skewness, kurtosis (3 for a normal law) */
+  double s_p, s_v, s_z;      /* highest peak, deepest valley, both together */
+  double s_dq;               /* rms gradient */
+  double s_al, s_tr;         /* shortest way to the autocorrelation 0.2; that over the longest */
+  double lambda_1, lambda_2; /* half axes of the ellipse that fits the 1/e contour of the
+                                autocorrelation best, lambda_1 <= lambda_2 */
+  double lay;                /* direction of the longer one, from x toward y, rad, 0 to pi */
+} asp_map_numbers;
+
+/* ASP_EDATA when the map is constant, or too small for its autocorrelation to fall to 1/e in any
+ * direction. Where it falls along some directions only, the ellipse is that of these, and s_tr is
+ * NaN. */
+asp_code asp_map_describe(const asp_map *map, asp_map_numbers *numbers, asp_error *error);
+
+/* Heights in place of the file of `surface profile FILE` or `surface map FILE`; they must live as
+ * long as the description. ASP_EARG where the surface is another one. */
+asp_code asp_description_set_profile(asp_description *description, const asp_profile *profile,
+                                     asp_error *error);
+asp_code asp_description_set_map(asp_description *description, const asp_map *map,
+                                 asp_error *error);
+
+/* ---- materials ------------------------------------------------------------------------------- */
+typedef struct asp_material asp_material;
+
+/* The materials of a description, in its units, which live as long as it does; NULL for an index
+ * outside 0 <= index < asp_description_materials(). */
+int asp_description_materials(const asp_description *description);
+const asp_material *asp_description_material(const asp_description *description, int index);
+
+/* A material. Its numbers, by name: youngs_modulus (Pa, > 0), poissons_ratio (more than -1, less
+ * than 0.5), density (kg/m^3, > 0), yield_stress (Pa; 0 where there is no value: it counts for the
+ * particle only). Those of a material of your own may be in any consistent units. */
+
+/* A material of your own, all of whose numbers are still 0. */
+asp_material *asp_material_create(const char *name, asp_error *error);
+void asp_material_free(asp_material *material);
+asp_code asp_material_set(asp_material *material, const char *name, double value, asp_error *error);
+double asp_material_get(const asp_material *material, const char *name); /* NaN for another name */
+
+/* Constants of a contact between a particle and a wall material. By name:
+ *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
+ *   yield_stress    the particle's, >= 0
+ *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, which is in SI: set
+ *                   it where the materials are in other units)
+ *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
+asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);
+void asp_pair_free(asp_pair *pair);
+asp_code asp_pair_set(asp_pair *pair, const char *name, double value, asp_error *error);
+double asp_pair_get(const asp_pair *pair, const char *name); /* NaN for another name */
+
+/* Defaults where a user gives none. */
+#define ASP_FRICTION 0.3       /* Bons et al. 2017, secondary source */
+#define ASP_SURFACE_ENERGY 0.8 /* J/m^2, Bons et al. 2017, recalled, original not seen */
+
+/* A pair of materials that are in the description's units, with its friction, surface energy and
+ * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY (0 where the units are not
+ * known) and the particle's own. */
+asp_pair *asp_description_pair(const asp_description *description, const asp_material *particle,
+                               const asp_material *target, asp_error *error);
+
+/* The pair of the first two materials of the description, the particle's and the wall's; NULL where
+ * there are fewer, or the law takes none. */
+const asp_pair *asp_wall_pair(const asp_wall *wall);
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop

@@ -5,7 +5,7 @@
 #ifndef ASP_ANALYSIS_ANGLES_H
 #define ASP_ANALYSIS_ANGLES_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 enum { ASPI_ANGLE_BINS = 180 }; /* of one degree */
 

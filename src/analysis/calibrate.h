@@ -7,7 +7,7 @@
 #define ASP_ANALYSIS_CALIBRATE_H
 
 #include "analysis/impacts.h"
-#include "asperity.h"
+#include "asperity_internal.h"
 
 #include <stdint.h>
 

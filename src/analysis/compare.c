@@ -155,7 +155,7 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
     size_t i = w->which[--w->count];
     const aspi_scatter_row *p = &c->impacts.rows[i];
     side->impacts[side->count++] =
-        (aspi_impact){{p->cor[COR_N], p->cor[COR_T], p->deposit}, w->of[i]};
+        (aspi_weighted){{p->cor[COR_N], p->cor[COR_T], p->deposit}, w->of[i]};
   }
   return true;
 }
@@ -179,7 +179,7 @@ static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
     return false;
   for (; side->count < b->end - b->first; row++)
     side->impacts[side->count++] =
-        (aspi_impact){{row->cor[COR_N], row->cor[COR_T], row->deposit}, 1};
+        (aspi_weighted){{row->cor[COR_N], row->cor[COR_T], row->deposit}, 1};
   aspi_side_describe(side);
   return true;
 }

@@ -11,7 +11,7 @@
 
 #include "analysis/impacts.h"
 #include "analysis/score.h"
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* The measurements at one angle, speed and size, or those of some such places together; and the
  * impacts there. */

@@ -8,7 +8,7 @@
 #define ASP_ANALYSIS_JUDGE_H
 
 #include "analysis/angles.h"
-#include "asperity_front.h"
+#include "asperity_internal.h"
 
 enum { ASPI_JUDGES_LEAST = 4, ASPI_JUDGES_MOST = 1024 };
 

@@ -14,7 +14,7 @@ static aspi_sample describe(const aspi_side *side, int k) {
   aspi_sample s = aspi_sample_none;
   double total = 0, squares = 0, mean = 0, second = 0, fourth = 0;
   for (size_t i = 0; i < side->count; i++) {
-    const aspi_impact *x = &side->impacts[i];
+    const aspi_weighted *x = &side->impacts[i];
     if (isnan(x->of[k]))
       continue;
     s.count++;
@@ -45,7 +45,7 @@ void aspi_side_describe(aspi_side *side) {
   for (int k = 0; k < ASPI_QUANTITIES; k++)
     side->of[k] = describe(side, k);
   for (size_t i = 0; i < side->count; i++) {
-    const aspi_impact *x = &side->impacts[i];
+    const aspi_weighted *x = &side->impacts[i];
     double n = x->of[COR_N] - side->of[COR_N].mean, t = x->of[COR_T] - side->of[COR_T].mean;
     if (isnan(n + t))
       continue;

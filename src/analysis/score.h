@@ -14,10 +14,10 @@ enum { ASPI_SCORED_LEAST = 10 };
 /* The quantities of an impact: both coefficients, and 1 for a deposit, 0 for a rebound. */
 enum { ASPI_DEPOSITS = COR_BOTH, ASPI_QUANTITIES };
 
-/* A coefficient is NAN where there is none. */
-typedef struct aspi_impact {
+/* An impact with its weight; a coefficient is NAN where there is none. */
+typedef struct aspi_weighted {
   double of[ASPI_QUANTITIES], weight;
-} aspi_impact;
+} aspi_weighted;
 
 /* A sample; NAN where it is too small for a number. size: effective sample size (Kish). _se are
  * standard errors. */
@@ -30,7 +30,7 @@ extern const aspi_sample aspi_sample_none;
 
 /* Samples of all quantities on one side, of the model or of the data. */
 typedef struct aspi_side {
-  aspi_impact *impacts; /* NULL where there are only numbers */
+  aspi_weighted *impacts; /* NULL where there are only numbers */
   size_t count;
   aspi_sample of[ASPI_QUANTITIES];
   double correlation; /* of both coefficients; 0 where not known */

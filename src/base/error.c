@@ -13,6 +13,12 @@
 #define LENGTH_LEAST 1e-100
 #define LENGTH_MOST 1e100
 
+const char *asp_code_name(asp_code code) {
+  static const char *const names[] = {"ASP_OK",    "ASP_EARG",  "ASP_ENAME", "ASP_ENOMEM",
+                                      "ASP_EFILE", "ASP_EDATA", "ASP_ERANGE"};
+  return code <= ASP_OK && code >= ASP_ERANGE ? names[-code] : "unknown";
+}
+
 asp_code aspi_fail(asp_error *error, asp_code code, const char *format, ...) {
   if (error) {
     error->code = code;

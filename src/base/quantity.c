@@ -14,7 +14,7 @@
 /* A kind of quantity, and the powers of meter, kilogram and second in its unit. */
 static const struct {
   const char *name;
-  int metre, kilogram, second;
+  int meter, kilogram, second;
 } kinds[] = {
     {"length", 1, 0, 0},       {"speed", 1, 0, -1},
     {"stress", -1, 1, -2},     {"density", -3, 1, 0},
@@ -27,16 +27,16 @@ double aspi_quantity_factor(const char *kind, const asp_units *units) {
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
     if (strcmp(kinds[i].name, kind) != 0)
       continue;
-    int m = kinds[i].metre, kg = kinds[i].kilogram, s = kinds[i].second;
+    int m = kinds[i].meter, kg = kinds[i].kilogram, s = kinds[i].second;
     if (m == 0 && kg == 0 && s == 0)
       return 1;
-    if (!(units->metre > 0 && units->kilogram > 0 && units->second > 0))
+    if (!(units->meter > 0 && units->kilogram > 0 && units->second > 0))
       return 0;
     double above = 1, below = 1;
     for (int k = 0; k < abs(kg); k++)
       *(kg > 0 ? &above : &below) *= units->kilogram;
     for (int k = 0; k < abs(m); k++)
-      *(m > 0 ? &above : &below) *= units->metre;
+      *(m > 0 ? &above : &below) *= units->meter;
     for (int k = 0; k < abs(s); k++)
       *(s > 0 ? &above : &below) *= units->second;
     return above / below;
@@ -81,13 +81,13 @@ static double shifted(const char *text, size_t length, int exponent) {
   return aspi_number(copy, &end);
 }
 
-void aspi_quantity_print_length(double metres, char text[32]) {
+void aspi_quantity_print_length(double meters, char text[32]) {
   char um[32];
-  aspi_number_print(metres, text);
+  aspi_number_print(meters, text);
   double value = shifted(text, strlen(text), 6), again;
   aspi_number_print(value, um);
   again = shifted(um, strlen(um), -6);
-  bool same = again >= metres && again <= metres && value >= 1e-3 && strlen(um) < 24;
+  bool same = again >= meters && again <= meters && value >= 1e-3 && strlen(um) < 24;
   if (same)
     memcpy(text, um, sizeof um);
   strcat(text, same ? "um" : "m");

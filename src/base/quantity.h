@@ -20,7 +20,7 @@ asp_code aspi_quantity_check(const char *name, const char *text, const char *kin
                              double least, double most, bool above, asp_error *error);
 
 /* A length with its unit, um from 1e-9 m on, that reads as the same number of meters. */
-void aspi_quantity_print_length(double metres, char text[32]);
+void aspi_quantity_print_length(double meters, char text[32]);
 
 /* Number of the caller's units in one SI unit of that kind; 0 if the units are unknown. */
 double aspi_quantity_factor(const char *kind, const asp_units *units);

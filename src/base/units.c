@@ -60,7 +60,7 @@ const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t lengt
   return NULL;
 }
 
-double aspi_unit_metres(const char *name, size_t length) {
+double aspi_unit_meters(const char *name, size_t length) {
   const aspi_unit *u = aspi_unit_find("length", name, length, false);
   return u ? u->factor * pow(10, u->exponent) : 0;
 }

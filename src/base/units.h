@@ -25,7 +25,7 @@ const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t lengt
 
 /* Meters in a unit of length by its name (m cm mm um nm, or as instruments write them:
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
-double aspi_unit_metres(const char *name, size_t length);
+double aspi_unit_meters(const char *name, size_t length);
 
 static inline double aspi_degrees(double radians) {
   return radians * (180 / ASP_PI);

@@ -8,7 +8,7 @@
 #ifndef ASP_CLI_H
 #define ASP_CLI_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "base/list.h"
 #include "base/units.h"
 

@@ -8,7 +8,7 @@
 #ifndef ASP_CLI_DESCRIPTION_H
 #define ASP_CLI_DESCRIPTION_H
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "cli/cli.h"
 
 typedef struct cli_description {

@@ -37,8 +37,8 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
   const char *second = strchr(option->value, ',');
   size_t length = second ? (size_t)(second - option->value) : strlen(option->value);
   second = second ? second + 1 : option->value;
-  read->unit_x = aspi_unit_metres(option->value, length);
-  read->unit_z = aspi_unit_metres(second, second == option->value ? length : strlen(second));
+  read->unit_x = aspi_unit_meters(option->value, length);
+  read->unit_z = aspi_unit_meters(second, second == option->value ? length : strlen(second));
   if (!(read->unit_x > 0 && read->unit_z > 0))
     cli_bad_usage(
         "--%s is '%s'; units of length are m cm mm um nm in mil, one, or two for positions and "

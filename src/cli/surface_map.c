@@ -17,7 +17,7 @@ enum { ROWS_AT_ONCE = 16 };
 typedef struct measured {
   asp_map *map;
   aspi_profile_report report;
-  aspi_map_description description;
+  asp_map_numbers description;
   const char *name;
 } measured;
 
@@ -32,7 +32,7 @@ static measured read_map(const char *path, const aspi_profile_options *options) 
   measured m = {.name = path};
   m.map = aspi_map_read(NULL, path, options, &m.report, &error);
   cli_must(m.map, &error);
-  if (aspi_map_describe(m.map, &m.description, &error) ||
+  if (asp_map_describe(m.map, &m.description, &error) ||
       aspi_map_check(m.map, &m.description, 1, &error))
     cli_bad_usage("%s: %s", path, error.text);
   return m;
@@ -77,7 +77,7 @@ static void print_number(FILE *out, const char *name, double value, const char *
 
 /* Prints the description of the map, and a row per size. */
 static void print(FILE *out, const measured *m, const slopes *rows, size_t count) {
-  const aspi_map_description *d = &m->description;
+  const asp_map_numbers *d = &m->description;
   fputs("# map ", out);
   cli_print_comment(out, m->name);
   fprintf(out, ": %s\n# %zu x %zu points, %.6g x %.6g um apart\n", m->report.text, m->map->columns,
@@ -99,9 +99,9 @@ static void print(FILE *out, const measured *m, const slopes *rows, size_t count
         out);
   for (size_t i = 0; i < count; i++)
     fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.4g,%.6g,%.6g,%.6g,%.6g,%.4g,%.4g\n", rows[i].d_p * 1e6,
-            d->s_q * 1e6, d->lambda_1 * 1e6, d->lambda_2 * 1e6, aspi_degrees(d->lay), d->phi_r,
-            sqrt(3) * rows[i].d_p * d->s_q / (d->lambda_1 * d->lambda_1), rows[i].rms[0],
-            rows[i].rms[1], rows[i].skewness[0], rows[i].skewness[1]);
+            d->s_q * 1e6, d->lambda_1 * 1e6, d->lambda_2 * 1e6, aspi_degrees(d->lay),
+            d->s_q / d->lambda_1, sqrt(3) * rows[i].d_p * d->s_q / (d->lambda_1 * d->lambda_1),
+            rows[i].rms[0], rows[i].rms[1], rows[i].skewness[0], rows[i].skewness[1]);
 }
 
 /* The heights as SDF in text (ISO 25178-71), for the other commands and the wall's fix. */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <algorithm>
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 using namespace asperity;
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "dem/error.h"
 #include "dem/text.h"
 #include "dem/units.h"
@@ -123,12 +123,12 @@ void Model::read_measured() {
   asp_error wrong;
   const std::string path = word("file");
   const bool is_map = word("surface") == "map";
-  if (!(units_.metre > 0))
+  if (!(units_.meter > 0))
     throw Error(std::string(is_map ? "a map" : "a profile") +
                 " is in SI units, which cannot be converted to " + units_name_);
   std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&wrong),
                                                              asp_reader_free);
-  if (reader && !asp_reader_set(reader.get(), "metre", units_.metre, &wrong)) {
+  if (reader && !asp_reader_set(reader.get(), "meter", units_.meter, &wrong)) {
     if (is_map)
       map_.reset(asp_reader_read_map(reader.get(), path.c_str(), &wrong));
     else

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "dem/engine.h"
 #include "dem/command_words.h"
 

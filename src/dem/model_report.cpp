@@ -142,9 +142,9 @@ std::string Model::describe_surface() const {
   std::string line;
   if (measured())
     line = word("surface") + " " + word("file") + " (" + report_ + "), ";
-  if (map_)
-    line += text("S_sk %.3g, S_ku %.3g, ", asp_map_get(map_.get(), "s_sk", NULL),
-                 asp_map_get(map_.get(), "s_ku", NULL));
+  asp_map_numbers numbers;
+  if (map_ && !asp_map_describe(map_.get(), &numbers, NULL))
+    line += text("S_sk %.3g, S_ku %.3g, ", numbers.s_sk, numbers.s_ku);
   line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
                asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
                atan(asp_surface_slope_rms(s)) * DEGREES);

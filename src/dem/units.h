@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 namespace asperity {
 

@@ -103,7 +103,7 @@ static asp_code check_erosion(const asp_description *d, asp_error *error) {
 /* ---- surface ---- */
 
 static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) {
-  double metre = d->units.metre > 0 ? d->units.metre : 1, lambda = SIGMA_LAMBDA * metre;
+  double meter = d->units.meter > 0 ? d->units.meter : 1, lambda = SIGMA_LAMBDA * meter;
   double slope = tan(aspi_radians(d->sigma));
   asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, error);
   if (made)
@@ -143,7 +143,7 @@ static asp_code make_surface(asp_description *d, asp_error *error) {
   bool is_map = d->kind == ASPI_MAP;
   if (d->surface || d->kind == ASPI_SMOOTH || d->kind == ASPI_PROFILE || (is_map && !d->choice.map))
     return ASP_OK;
-  if (is_map && !aspi_map_describe(d->choice.map, &d->measured, &wrong)) {
+  if (is_map && !asp_map_describe(d->choice.map, &d->measured, &wrong)) {
     if (check_lay(d, error))
       return ASP_EARG;
     d->surface =

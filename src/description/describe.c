@@ -31,7 +31,7 @@ static void add_word(line *l, const char *word) {
 /* In SI a length over 1 mm and a stress under 1 MPa get their unit, since the command refuses them
  * without one. */
 static void print_value(const asp_description *d, double value, const char *kind, char *text) {
-  bool is_si = !(d->units.metre < 1) && !(d->units.metre > 1);
+  bool is_si = !(d->units.meter < 1) && !(d->units.meter > 1);
   bool length = is_si && strcmp(kind, "length") == 0 && isfinite(value) && value > 1e-3;
   (length ? aspi_quantity_print_length : aspi_number_print)(value, text);
   if (is_si && strcmp(kind, "stress") == 0 && value > 0 && value < 1e6)

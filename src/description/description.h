@@ -51,12 +51,12 @@ struct asp_description {
   bool may_fit;
   const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
   int n_fits;
-  aspi_wall_choice choice; /* the wall of these words; the surface of a profile is still to come */
-  asp_surface *surface;    /* of the numbers or the map; NULL: to be made */
-  asp_profile *profile;    /* read from the file; NULL: the caller's, or not read yet */
-  asp_map *map;            /* alike */
-  aspi_map_description measured; /* of the map whose surface was made */
-  asp_error doubt;               /* about the file that was read */
+  aspi_wall_choice choice;  /* the wall of these words; the surface of a profile is still to come */
+  asp_surface *surface;     /* of the numbers or the map; NULL: to be made */
+  asp_profile *profile;     /* read from the file; NULL: the caller's, or not read yet */
+  asp_map *map;             /* alike */
+  asp_map_numbers measured; /* of the map whose surface was made */
+  asp_error doubt;          /* about the file that was read */
   aspi_cor_table *cor_table;
 };
 

@@ -146,14 +146,14 @@ static void sticks_always(const asp_question *q, char *text, size_t size) {
 /* ---- words ---- */
 
 static void is_high(const asp_question *q, char *text, size_t size) {
-  double r_q = q->words->r_q, d_p = q->largest->d_p, metre = q->words->units.metre;
+  double r_q = q->words->r_q, d_p = q->largest->d_p, meter = q->words->units.meter;
   if (d_p > 0 && r_q > DIAMETERS_MOST * d_p)
     snprintf(text, size,
              "rq is %s, %.3g times the diameter of the largest particle, %s; is it in another "
              "unit?",
              in_si(q, r_q, "length").text, r_q / d_p, in_si(q, d_p, "length").text);
-  else if (!(d_p > 0) && metre > 0 && r_q > HEIGHT_MOST * metre)
-    snprintf(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / metre);
+  else if (!(d_p > 0) && meter > 0 && r_q > HEIGHT_MOST * meter)
+    snprintf(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / meter);
 }
 
 static void rubs_much(const asp_question *q, char *text, size_t size) {

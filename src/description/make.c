@@ -1,7 +1,7 @@
 /* A wall of a description: reads the file of a measured one, and makes the surface of a profile.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "base/error.h"
 #include "description/description.h"
 #include "readers/read.h"
@@ -18,12 +18,12 @@ static asp_code read_file(asp_description *d, asp_error *error) {
        is_map = d->kind == ASPI_MAP && !d->choice.map;
   if (!is_profile && !is_map)
     return ASP_OK;
-  if (!(d->units.metre > 0))
+  if (!(d->units.meter > 0))
     return aspi_fail(error, ASP_EARG, "a %s is in SI units, which cannot be converted to %s",
                      is_map ? "map" : "profile", d->units.name);
   asp_error wrong = {ASP_OK, ""};
   asp_reader *reader = asp_reader_create(&wrong);
-  if (reader && !asp_reader_set(reader, "metre", d->units.metre, &wrong)) {
+  if (reader && !asp_reader_set(reader, "meter", d->units.meter, &wrong)) {
     if (is_profile)
       d->profile = asp_reader_read(reader, d->file, &wrong);
     else

@@ -113,7 +113,7 @@ static asp_code read_table(aspi_words *r) {
   if (code)
     return code;
   aspi_cor_table_free(d->cor_table);
-  d->cor_table = aspi_cor_table_read(d->table, d->units.metre / d->units.second, r->error);
+  d->cor_table = aspi_cor_table_read(d->table, d->units.meter / d->units.second, r->error);
   d->choice.table = d->cor_table;
   return d->cor_table ? ASP_OK : ASP_EDATA;
 }

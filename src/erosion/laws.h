@@ -38,7 +38,7 @@ typedef struct aspi_erosion {
   double si[ASPI_EROSION_PARAMETERS];
   double density; /* of the wall, in the caller's units; 0: that of the pair's material */
   bool tilted;    /* by the faces that are hit, else by the mean wall */
-  double metre, metre_per_second, density_unit; /* how many of the caller's units make one of SI */
+  double meter, meter_per_second, density_unit; /* how many of the caller's units make one of SI */
 } aspi_erosion;
 
 /* Takes a law and its defaults. */

@@ -27,8 +27,8 @@ const aspi_erosion_law *aspi_erosion_find(const char *name, asp_error *error) {
 
 void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const asp_units *units) {
   *erosion = (aspi_erosion){.law = law,
-                            .metre = aspi_quantity_factor("length", units),
-                            .metre_per_second = aspi_quantity_factor("speed", units),
+                            .meter = aspi_quantity_factor("length", units),
+                            .meter_per_second = aspi_quantity_factor("speed", units),
                             .density_unit = aspi_quantity_factor("density", units)};
   for (int i = 0; i < law->n_parameters; i++) {
     erosion->si[i] = law->parameters[i].fallback;
@@ -40,7 +40,7 @@ double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, doub
                           double cosine, double d_p) {
   const aspi_erosion_law *law = erosion->law;
   double rate =
-      law->rate(erosion->si, v / erosion->metre_per_second, sine, cosine, d_p / erosion->metre);
+      law->rate(erosion->si, v / erosion->meter_per_second, sine, cosine, d_p / erosion->meter);
   double density = erosion->density > 0 ? erosion->density : wall_density;
   return law->is_volume ? rate * density / erosion->density_unit : rate;
 }

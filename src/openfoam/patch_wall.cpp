@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "dem/error.h"
 #include "dem/books/ledger_row.h"
 #include "dem/text.h"

@@ -15,7 +15,7 @@
 #include <string.h>
 
 aspi_profile_options aspi_profile_options_default(void) {
-  return (aspi_profile_options){.metre = 1, .form = 1, .resample = true, .row = 1};
+  return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1};
 }
 
 #if defined(__GNUC__)
@@ -155,8 +155,8 @@ asp_profile *aspi_profile_read(FILE *stream, const char *path, const aspi_profil
   if (read_mended(stream, path, options, &raw, report, error))
     return NULL;
   for (size_t i = 0; i < raw.points; i++)
-    aspi_raw_put(&raw, i, aspi_raw_at(&raw, i) * options->metre);
-  return aspi_profile_adopt(raw.heights, raw.points, raw.step[0] * options->metre, false, error);
+    aspi_raw_put(&raw, i, aspi_raw_at(&raw, i) * options->meter);
+  return aspi_profile_adopt(raw.heights, raw.points, raw.step[0] * options->meter, false, error);
 }
 
 asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_options *options,
@@ -164,10 +164,10 @@ asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_option
   aspi_raw raw = {.is_map = true, .zero = NAN};
   if (read_mended(stream, path, options, &raw, report, error))
     return NULL;
-  double metre = options->metre, step[2] = {raw.step[0] * metre, raw.step[1] * metre}, mean = 0;
+  double meter = options->meter, step[2] = {raw.step[0] * meter, raw.step[1] * meter}, mean = 0;
   for (size_t i = 0; i < raw.points; i++)
     mean += aspi_raw_at(&raw, i) / (double)raw.points;
   for (size_t i = 0; i < raw.points; i++)
-    aspi_raw_put(&raw, i, (aspi_raw_at(&raw, i) - mean) * metre);
+    aspi_raw_put(&raw, i, (aspi_raw_at(&raw, i) - mean) * meter);
   return aspi_map_adopt(raw.heights, raw.columns, raw.rows, step, false, error);
 }

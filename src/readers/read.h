@@ -19,7 +19,7 @@ typedef struct aspi_filters {
 /* Options of reading a measured profile or map. */
 typedef struct aspi_profile_options {
   double unit_x, unit_z; /* meters in one unit of a text file's columns; 0: as the file states */
-  double metre;          /* one meter in the unit of the result: 1 for SI, 1e6 for micrometers */
+  double meter;          /* one meter in the unit of the result: 1 for SI, 1e6 for micrometers */
   int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
   double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */

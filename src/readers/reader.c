@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "readers/read.h"
 
 #include <limits.h>
@@ -40,7 +40,7 @@ static const struct option {
   double least, most;
 } options[] = {{"unit_x", NUMBER, AT(unit_x), 0, INFINITY},
                {"unit_z", NUMBER, AT(unit_z), 0, INFINITY},
-               {"metre", NUMBER, AT(metre), 1e-12, 1e12},
+               {"meter", NUMBER, AT(meter), 1e-12, 1e12},
                {"form", WHOLE, AT(form), -1, ASP_FORM_MAX},
                {"spikes", NUMBER, AT(spikes), 0, INFINITY},
                {"fill", FLAG, AT(fill), 0, 1},

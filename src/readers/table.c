@@ -64,7 +64,7 @@ static double stated(const char *line, const char *name, bool number, double els
   double value = number ? aspi_number(at, &end) : 1;
   at = number ? end : at;
   size_t length = aspi_text_inside(&at);
-  return value * aspi_unit_metres(at, length);
+  return value * aspi_unit_meters(at, length);
 }
 
 static void note_header(aspi_table *t, const char *line) {
@@ -216,7 +216,7 @@ static double unit_in(const char *name, bool *bare) {
   for (from = end; from > 0 && !strchr("([{/_ ", name[from - 1]);)
     from--;
   *bare = strspn(name, "([{ ") >= from;
-  return aspi_unit_metres(name + from, end - from);
+  return aspi_unit_meters(name + from, end - from);
 }
 
 static size_t first_word(const char *name) {

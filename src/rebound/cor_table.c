@@ -165,7 +165,7 @@ typedef struct columns {
   int angle, speed, cor_n, cor_t;
 } columns;
 
-static asp_code read_point(const aspi_csv *csv, const columns *at, double metre_per_second,
+static asp_code read_point(const aspi_csv *csv, const columns *at, double meter_per_second,
                            aspi_cor_point *p, asp_error *error) {
   bool no_speed;
   double degrees;
@@ -177,7 +177,7 @@ static asp_code read_point(const aspi_csv *csv, const columns *at, double metre_
       (code = aspi_csv_number(csv, at->speed, 0, 1e9, &p->speed, at->speed < 0 ? &no_speed : NULL,
                               error)))
     return code;
-  p->speed = at->speed < 0 ? 0 : p->speed * metre_per_second;
+  p->speed = at->speed < 0 ? 0 : p->speed * meter_per_second;
   p->alpha1 = fmin(degrees / DEGREES, ASP_PI / 2);
   if (check_point(p, &wrong))
     return aspi_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text);
@@ -185,7 +185,7 @@ static asp_code read_point(const aspi_csv *csv, const columns *at, double metre_
 }
 
 /* All points of the file, to be freed by the caller; NULL on error. */
-static aspi_cor_point *read_points(aspi_csv *csv, double metre_per_second, size_t *count,
+static aspi_cor_point *read_points(aspi_csv *csv, double meter_per_second, size_t *count,
                                    asp_error *error) {
   bool means = aspi_csv_find(csv, "cor_n_mean") >= 0; /* as those of a publication are called */
   columns at = {aspi_csv_need(csv, "alpha1_deg", error), aspi_csv_find(csv, "v1_m_s"),
@@ -206,7 +206,7 @@ static aspi_cor_point *read_points(aspi_csv *csv, double metre_per_second, size_
     code = aspi_csv_row(csv, &found, error);
     if (code || !found)
       break;
-    code = read_point(csv, &at, metre_per_second, &points[*count], error);
+    code = read_point(csv, &at, meter_per_second, &points[*count], error);
   }
   if (!code)
     return points;
@@ -221,10 +221,10 @@ static bool looks_like_radians(const aspi_cor_point *points, size_t count) {
   return count > 0;
 }
 
-aspi_cor_table *aspi_cor_table_read(const char *path, double metre_per_second, asp_error *error) {
+aspi_cor_table *aspi_cor_table_read(const char *path, double meter_per_second, asp_error *error) {
   aspi_csv *csv = aspi_csv_open(path, error);
   size_t count = 0;
-  aspi_cor_point *points = csv ? read_points(csv, metre_per_second, &count, error) : NULL;
+  aspi_cor_point *points = csv ? read_points(csv, meter_per_second, &count, error) : NULL;
   aspi_cor_table *table = NULL;
   asp_error wrong;
   if (points && looks_like_radians(points, count)) {

@@ -4,15 +4,15 @@
 #ifndef ASP_REBOUND_COR_TABLE_H
 #define ASP_REBOUND_COR_TABLE_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* Coefficients of restitution over impact angle and speed, as measured or computed by a user: on a
  * full grid of angles and speeds. Between angles a monotone cubic (Steffen 1990), between speeds a
  * straight line, so that nothing overshoots; beyond the ends the end values. From a text file with
  * the columns alpha1_deg, cor_n, cor_t (or cor_n_mean, cor_t_mean), and v1_m_s where it depends on
- * speed. metre_per_second is one m/s in the unit of the speeds of the contacts: 1 for SI. */
+ * speed. meter_per_second is one m/s in the unit of the speeds of the contacts: 1 for SI. */
 typedef struct aspi_cor_table aspi_cor_table;
-aspi_cor_table *aspi_cor_table_read(const char *path, double metre_per_second, asp_error *error);
+aspi_cor_table *aspi_cor_table_read(const char *path, double meter_per_second, asp_error *error);
 void aspi_cor_table_free(aspi_cor_table *table);
 aspi_cor_table *aspi_cor_table_copy(const aspi_cor_table *table); /* NULL when out of memory */
 

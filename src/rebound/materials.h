@@ -4,7 +4,7 @@
 #ifndef ASP_REBOUND_MATERIALS_H
 #define ASP_REBOUND_MATERIALS_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* A material. */
 struct asp_material {

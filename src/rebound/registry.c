@@ -1,7 +1,7 @@
 /* The list of rebound laws, and how their parameters are found by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "base/error.h"
 #include "rebound/laws.h"
 

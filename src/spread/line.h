@@ -5,7 +5,7 @@
 #ifndef ASP_SPREAD_LINE_H
 #define ASP_SPREAD_LINE_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* Rms heights that a beam must fall over a period, or over a piece of a map, so that its first hits
  * lie on many peaks. */

@@ -170,12 +170,12 @@ void aspi_map_table_free(aspi_map_table *tables) {
 }
 
 /* The 1/e lag along a direction at this angle from the axis across the lay. */
-static double lambda_at(const aspi_map_description *d, double angle) {
+static double lambda_at(const asp_map_numbers *d, double angle) {
   return 1 / hypot(cos(angle) / d->lambda_1, sin(angle) / d->lambda_2);
 }
 
-static asp_code fill(aspi_map_table *tables, int size, const asp_map *map,
-                     const aspi_map_description *d, asp_error *error) {
+static asp_code fill(aspi_map_table *tables, int size, const asp_map *map, const asp_map_numbers *d,
+                     asp_error *error) {
   aspi_ball *ball = aspi_ball_create(map, aspi_sizes_at(&tables->sizes, size), error);
   if (!ball)
     return error->code;
@@ -197,10 +197,10 @@ static asp_code fill(aspi_map_table *tables, int size, const asp_map *map,
 
 aspi_map_table *aspi_map_table_create(const asp_map *map, const aspi_sizes *sizes,
                                       asp_error *error) {
-  aspi_map_description d;
+  asp_map_numbers d;
   asp_error own;
   error = error ? error : &own;
-  if (aspi_sizes_check(sizes, error) || aspi_map_describe(map, &d, error))
+  if (aspi_sizes_check(sizes, error) || asp_map_describe(map, &d, error))
     return NULL;
   int directions = d.lambda_2 < STRETCH_FEW * d.lambda_1 ? DIRECTIONS_FEW : DIRECTIONS_MANY;
   aspi_map_table *tables =

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/quantiles.h"
-#include "asperity.h"
+#include "asperity_internal.h"
 
 #include <math.h>
 #include <string.h>

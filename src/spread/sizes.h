@@ -4,7 +4,7 @@
 #ifndef ASP_SPREAD_SIZES_H
 #define ASP_SPREAD_SIZES_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* `bins` diameters from least to most at equal ratios; one bin is their geometric mean.
  * 0 < least <= most, 1 <= bins <= ASP_BINS_MAX. */

@@ -4,7 +4,7 @@
 #ifndef ASP_SPREAD_TRACE_H
 #define ASP_SPREAD_TRACE_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* The state of a particle that a model follows over a profile or a map; all 0 before the first
  * face. */

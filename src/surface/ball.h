@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_BALL_H
 #define ASP_SURFACE_BALL_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* Center height of a sphere that rests on the map, and the gradient of the surface where it
  * touches; the center's height has the same gradient. */

@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_CLOSING_H
 #define ASP_SURFACE_CLOSING_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* The path of the center of a disc of diameter d_p that rolls over the profile (dilation), and the
  * deepest that its edge reaches (closing: dilation, then erosion); exact for the sampled points, in

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/instrument.h"
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "surface/rsm_table.inc"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_MAP_H
 #define ASP_SURFACE_MAP_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* Row after row, x along a row. Single precision: a map is large, and no instrument has seven
  * digits. A periodic map repeats in both directions; any other ends at its edges. */

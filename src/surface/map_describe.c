@@ -11,7 +11,6 @@
 
 #include <gsl/gsl_statistics_float.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,7 +19,7 @@ enum { TILE_MOST = 1024, DIRECTIONS = 180 };
 /* Heights smaller than this part of the largest are rounding. */
 #define ROUNDING 1e-6
 
-static void describe_heights(const asp_map *map, aspi_map_description *d) {
+static void describe_heights(const asp_map *map, asp_map_numbers *d) {
   const float *z = map->heights;
   size_t n = map->columns * map->rows;
   double mean = gsl_stats_float_mean(z, 1, n);
@@ -180,7 +179,7 @@ static bool fit_ellipse(const double (*point)[2], size_t count, double m[3]) {
   return m[0] > 0 && m[2] > 0 && m[0] * m[2] > m[1] * m[1];
 }
 
-static void describe_axes(const double m[3], aspi_map_description *d) {
+static void describe_axes(const double m[3], asp_map_numbers *d) {
   double mean = 0.5 * (m[0] + m[2]), half = hypot(0.5 * (m[0] - m[2]), m[1]);
   d->lambda_1 = 1 / sqrt(mean + half);
   d->lambda_2 = 1 / sqrt(mean - half);
@@ -189,7 +188,7 @@ static void describe_axes(const double m[3], aspi_map_description *d) {
   d->lay = fmod(angle + 2 * ASP_PI, ASP_PI);
 }
 
-static asp_code describe_lengths(const asp_map *map, aspi_map_description *d, asp_error *error) {
+static asp_code describe_lengths(const asp_map *map, asp_map_numbers *d, asp_error *error) {
   correlation c;
   asp_code code = autocorrelation(map, d->s_q, &c, error);
   if (code)
@@ -197,7 +196,7 @@ static asp_code describe_lengths(const asp_map *map, aspi_map_description *d, as
   double point[DIRECTIONS][2], m[3], most = 0;
   size_t count = 0;
   d->s_al = INFINITY;
-  d->long_enough = true;
+  bool long_enough = true;
   for (int k = 0; k < DIRECTIONS; k++) {
     double angle = ASP_PI * k / DIRECTIONS;
     double r = contour(map, &c, angle, ASP_LEVEL_1_E),
@@ -210,57 +209,31 @@ static asp_code describe_lengths(const asp_map *map, aspi_map_description *d, as
       d->s_al = fmin(d->s_al, far);
       most = fmax(most, far);
     }
-    d->long_enough = d->long_enough && far > 0;
+    long_enough = long_enough && far > 0;
   }
   free(c.values);
   if (count < 3 || !fit_ellipse((const double(*)[2])point, count, m))
     return aspi_fail(error, ASP_EDATA,
                      "the autocorrelation does not fall to 1/e within half the map: it is too "
                      "small, or form is left in it");
-  d->s_tr = d->long_enough ? d->s_al / most : NAN;
+  d->s_tr = long_enough ? d->s_al / most : NAN;
   describe_axes(m, d);
-  d->phi_r = d->s_q / d->lambda_1;
   return ASP_OK;
 }
 
-asp_code aspi_map_describe(const asp_map *map, aspi_map_description *description,
-                           asp_error *error) {
-  aspi_map_description d = {0};
+asp_code asp_map_describe(const asp_map *map, asp_map_numbers *numbers, asp_error *error) {
+  asp_map_numbers d = {0};
   describe_heights(map, &d);
   if (!(d.s_q > ROUNDING * fmax(d.s_p, d.s_v)))
     return aspi_fail(error, ASP_EDATA, "the map is constant");
   d.s_dq = gradient_rms(map);
   asp_code code = describe_lengths(map, &d, error);
-  *description = d;
+  *numbers = d;
   return code;
 }
 
-/* The numbers of a description by name. */
-#define AT(member) offsetof(aspi_map_description, member)
-static const struct {
-  const char *name;
-  size_t at;
-} numbers[] = {{"s_q", AT(s_q)},   {"s_a", AT(s_a)},           {"s_sk", AT(s_sk)},
-               {"s_ku", AT(s_ku)}, {"s_p", AT(s_p)},           {"s_v", AT(s_v)},
-               {"s_z", AT(s_z)},   {"s_dq", AT(s_dq)},         {"s_al", AT(s_al)},
-               {"s_tr", AT(s_tr)}, {"lambda_1", AT(lambda_1)}, {"lambda_2", AT(lambda_2)},
-               {"lay", AT(lay)}};
-
-static const char *name_at(int index) {
-  return numbers[index].name;
-}
-
-double asp_map_get(const asp_map *map, const char *name, asp_error *error) {
-  aspi_map_description d;
-  int i = aspi_find_name("number of a map", name, (int)(sizeof numbers / sizeof *numbers), name_at,
-                         error);
-  if (i < 0 || aspi_map_describe(map, &d, error))
-    return NAN;
-  return *(const double *)(const void *)((const char *)&d + numbers[i].at);
-}
-
-asp_code aspi_map_check(const asp_map *map, const aspi_map_description *d, double phi_r_most,
+asp_code aspi_map_check(const asp_map *map, const asp_map_numbers *d, double phi_r_most,
                         asp_error *error) {
   return aspi_roughness_check("shorter ", d->lambda_1, fmin(map->step[0], map->step[1]), "",
-                              "S_q/lambda_1", d->phi_r, phi_r_most, error);
+                              "S_q/lambda_1", d->s_q / d->lambda_1, phi_r_most, error);
 }

@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_PROFILE_H
 #define ASP_SURFACE_PROFILE_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 enum { ASP_POINTS_LEAST = 3 };
 

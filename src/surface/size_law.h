@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_SIZE_LAW_H
 #define ASP_SURFACE_SIZE_LAW_H
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 
 /* The rms slopes that a sphere of diameter d_p meets across the lay, and along it: with kappa_i =
  * sqrt(3) d_p r_q/lambda_i^2, s_i (1 + kappa_i^2 (0.92 kappa_i + 0.37 kappa_j))^(-1/6), which was

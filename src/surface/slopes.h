@@ -4,7 +4,7 @@
 #ifndef ASP_SURFACE_SLOPES_H
 #define ASP_SURFACE_SLOPES_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 
 /* Mean, standard deviation, skewness, and excess kurtosis (0 for a normal distribution). */
 typedef struct aspi_moments {

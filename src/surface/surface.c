@@ -207,7 +207,7 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
   return surface;
 }
 
-asp_surface *aspi_surface_create_map(const asp_map *map, const aspi_map_description *d, bool lay,
+asp_surface *aspi_surface_create_map(const asp_map *map, const asp_map_numbers *d, bool lay,
                                      asp_error *error) {
   if (aspi_map_check(map, d, PHI_R_MOST, error))
     return NULL;
@@ -217,8 +217,8 @@ asp_surface *aspi_surface_create_map(const asp_map *map, const aspi_map_descript
 }
 
 asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error) {
-  aspi_map_description d;
-  return aspi_map_describe(map, &d, error) ? NULL : aspi_surface_create_map(map, &d, lay, error);
+  asp_map_numbers d;
+  return asp_map_describe(map, &d, error) ? NULL : aspi_surface_create_map(map, &d, lay, error);
 }
 
 asp_surface *aspi_surface_copy(const asp_surface *surface) {

@@ -4,7 +4,7 @@
 #ifndef ASP_WALL_BODY_H
 #define ASP_WALL_BODY_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "wall/frame.h"
 
 /* The change of the angular velocity by an impulse at `arm` from the center of mass. */

@@ -4,7 +4,7 @@
 #ifndef ASP_WALL_WALL_H
 #define ASP_WALL_WALL_H
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "erosion/laws.h"
 #include "rebound/laws.h"
 #include "rebound/removal.h"

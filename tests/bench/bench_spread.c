@@ -3,7 +3,7 @@
  * sigma = 5.7 degrees on, `weibull` must reckon with its cut at the steepest face.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "bench.h"
 #include "peers.h"
 #include "spread/models.h"

@@ -3,7 +3,7 @@
  * points and angle; the table of `profile`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "bench.h"
 #include "spread/line.h"
 #include "spread/models.h"

@@ -5,7 +5,7 @@
 #ifndef ASP_BENCH_PEERS_H
 #define ASP_BENCH_PEERS_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "spread/models.h"
 
 #include <stddef.h>

@@ -93,7 +93,7 @@ END
 
 mul() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.15g", a * b }'; }
 
-# head_of UNITS LENGTH: the beginning of a script; LENGTH is the unit's factor to metres.
+# head_of UNITS LENGTH: the beginning of a script; LENGTH is the unit's factor to meters.
 head_of() {
   cat << END
 units ${1:-si}

@@ -58,8 +58,9 @@ static void check_map(const asp_map *map) {
   for (size_t i = 0; i < points; i++)
     if (!isfinite(asp_map_heights(map)[i]))
       fail("a height that is not a number");
+  asp_map_numbers numbers;
   asp_error error = {ASP_OK, ""};
-  if (points <= 256 && isnan(asp_map_get(map, "s_q", &error)) && !*error.text)
+  if (points <= 256 && asp_map_describe(map, &numbers, &error) && !*error.text)
     fail("a map that cannot be described");
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A build without engines, as a shared library, with the tests: every program that links it does, also those that are
 # built on demand only. Every symbol that the library exports begins with asp_ and is declared in asperity.h or
-# asperity_front.h, every function declared there is exported, a program outside the project needs nothing but it, and the
+# asperity_internal.h, every function declared there is exported, a program outside the project needs nothing but it, and the
 # command runs. In the static library, too, what is not declared there does not begin with asp_. A missing or another LIGGGHTS or LAMMPS stops the
 # configuration with a message that says what to install.
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -21,7 +21,7 @@ cmake --install "$work/build" > "$work/install.log" 2>&1 || { cat "$work/install
 library=$(find "$work/prefix" -name libasperity.so)
 [ -e "$library" ] || die "no libasperity.so is installed"
 
-gcc -E -P -I"$source_dir/src" "$source_dir/src/asperity_front.h" | tr '\n' ' ' | grep -oE '\basp_[a-z0-9_]+ *\(' | tr -d ' (' | sort -u > "$work/declared"
+gcc -E -P -I"$source_dir/src" "$source_dir/src/asperity_internal.h" | tr '\n' ' ' | grep -oE '\basp_[a-z0-9_]+ *\(' | tr -d ' (' | sort -u > "$work/declared"
 [ "$(wc -l < "$work/declared")" -gt 60 ] || die "few functions were found in asperity.h"
 nm -D --defined-only "$library" | awk '{ print $3 }' | sort -u > "$work/exported"
 more=$(comm -13 "$work/declared" "$work/exported")

@@ -7,8 +7,8 @@ home=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 page=$home/src/lammps/fix_wall_rebound.rst
 die() { echo "FAILED: $*" >&2; exit 1; }
 if LC_ALL=C grep -n '[^ -~]' "$page"; then die "the page has characters that are not ASCII"; fi
-if grep -nwiE '(neighbou?r|colou?r|behaviou?r)s?|centre[ds]?|licence|metres?|[a-z]*(ours|ise|ised|ising|isation)' "$page" |
-  grep -wiE 'neighbours?|colours?|behaviours?|centre[ds]?|licence|metres?|(real|normal|general|initial|organ)is(e|ed|ing|ation)'; then
+if grep -nwiE '(neighbou?r|colou?r|behaviou?r)s?|centre[ds]?|licence|meters?|[a-z]*(ours|ise|ised|ising|isation)' "$page" |
+  grep -wiE 'neighbours?|colours?|behaviours?|centre[ds]?|licence|meters?|(real|normal|general|initial|organ)is(e|ed|ing|ation)'; then
   die "the page has British spelling"
 fi
 command -v sphinx-build > /dev/null || { echo "no sphinx-build"; exit 77; }

@@ -10,7 +10,7 @@
  * property, and that the paper's choice does not; the long one prints the table of choosing.md.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
  * file in its place; takes some half an hour; the result does not depend on the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "spread/ensemble.h"
 #include "spread/line.h"
 #include "surface/closing.h"

@@ -6,7 +6,7 @@
  * by `cmake --build build --target rsm_table`, which writes the file in its place; takes a minute.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 
 #include <math.h>
 #include <stdio.h>

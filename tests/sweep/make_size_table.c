@@ -4,7 +4,7 @@
  * minutes; the result does not depend on the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 

@@ -8,7 +8,7 @@
  * capture is wrong beyond 1e-12.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "random.h"
 #include "rebound/laws.h"
 #include "spread/models.h"

@@ -4,7 +4,7 @@
 #ifndef ASP_SWEEP_RANDOM_H
 #define ASP_SWEEP_RANDOM_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "base/stream.h"
 #include "rebound/laws.h"
 

@@ -10,7 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/running.h"
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "surface/ball.h"
 #include "surface/map.h"
 

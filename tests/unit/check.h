@@ -14,7 +14,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 
 /* Fails unless |is - should| <= tolerance; prints both. */
 static inline void check_near(double is, double should, double tolerance, const char *file,

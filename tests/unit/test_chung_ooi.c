@@ -5,7 +5,7 @@
  * Multiphysics have them, rounded.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity.h"
+#include "asperity_internal.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -190,7 +190,7 @@ static asp_code copied_map(asp_error *error) {
 }
 
 static asp_code described_map(asp_error *error) {
-  return isnan(asp_map_get(gauss, "s_al", error)) ? error->code : ASP_OK;
+  return asp_map_describe(gauss, &(asp_map_numbers){0}, error);
 }
 
 static asp_code ball(asp_error *error) {

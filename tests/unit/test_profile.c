@@ -214,8 +214,8 @@ static void units_as_instruments_write_them(void **state) {
   expect("x (\xC2\xB5m)\tz (\xCE\xBCm)\n0\t1\n1\t2\n2\t4\n", NULL, 3, 1e-6, 4e-6);
   expect("x [mm],z [\xC3\x85]\n0,1\n1,2\n2,4\n", NULL, 3, 1e-3, 4e-10);
   expect("X(MM) Z(UM)\n0 1\n1 2\n2 4\n", NULL, 3, 1e-3, 4e-6);
-  assert_near(aspi_unit_metres("mm", 2), 1e-3, 0);
-  assert_near(aspi_unit_metres("parsec", 6), 0, 0);
+  assert_near(aspi_unit_meters("mm", 2), 1e-3, 0);
+  assert_near(aspi_unit_meters("parsec", 6), 0, 0);
 }
 
 static void units_that_must_be_asked_for(void **state) {
@@ -231,7 +231,7 @@ static void units_that_must_be_asked_for(void **state) {
   o.unit_z = 1e-6;
   expect("0,1\n1,2\n2,4\n", &o, 3, 1e-3, 4e-6);
   expect("x_nm,z_nm\n0,1\n1,2\n2,4\n", &o, 3, 1e-3, 4e-6);
-  o.metre = 1e6;
+  o.meter = 1e6;
   expect("0,1\n1,2\n2,4\n", &o, 3, 1e3, 4);
   o.column = 3;
   expect("x,a,z\n0,1,7\n1,2,8\n2,4,9\n", &o, 3, 1e3, 9);
@@ -333,7 +333,7 @@ static void columns_far_to_the_right(void **state) {
   o.column = 0;
   o.z_column = "81";
   expect(text, &o, 4, 1e-6, 4e-6);
-  o = (aspi_profile_options){.metre = 1, .form = -1, .row = 1, .column = 81};
+  o = (aspi_profile_options){.meter = 1, .form = -1, .row = 1, .column = 81};
   char map[2000] = "aISO-1.0\nNumPoints = 100\nNumProfiles = 4\nXscale = 1e-6\nYscale = 2e-6\n"
                    "Zscale = 1e-6\n*\n";
   strcat(map, text);
@@ -362,7 +362,7 @@ static void columns_are_chosen_by_their_header(void **state) {
   expect("X;Y;Z\num;um;nm\n0;7;1\n2;7;2\n4;7;4\n", NULL, 3, 2e-6, 4e-9);
   expect("Index Position Height\n# mm mm mm\n1 0 1\n2 2 2\n3 4 4\n",
          &(aspi_profile_options){
-             .metre = 1, .form = -1, .resample = true, .row = 1, .unit_x = 1e-3, .unit_z = 1e-3},
+             .meter = 1, .form = -1, .resample = true, .row = 1, .unit_x = 1e-3, .unit_z = 1e-3},
          3, 2e-3, 4e-3);
   expect_error("Point,Z [um]\n1,0\n2,1\n3,4\n", NULL, ASP_EDATA,
                "no column is named as a position");
@@ -719,7 +719,7 @@ static void readers_are_set_by_name(void **state) {
   static const struct {
     const char *name;
     double good, bad;
-  } options[] = {{"unit_x", 1e-3, -1}, {"unit_z", 1e-6, NAN}, {"metre", 1e6, 0},
+  } options[] = {{"unit_x", 1e-3, -1}, {"unit_z", 1e-6, NAN}, {"meter", 1e6, 0},
                  {"form", 2, 10},      {"spikes", 8, -1},     {"fill", 1, 0.5},
                  {"resample", 0, NAN}, {"row", 2, 0},         {"column", 1, -1}};
   asp_reader *reader = asp_reader_create(NULL);
@@ -748,7 +748,7 @@ static void readers_are_set_by_name(void **state) {
   assert_non_null(strstr(error.text, ":4: the first of 1 bad"));
   asp_reader_set(reader, "fill", 1, NULL);
   asp_reader_set(reader, "form", -1, NULL);
-  asp_reader_set(reader, "metre", 1e6, NULL);
+  asp_reader_set(reader, "meter", 1e6, NULL);
   asp_profile *p = asp_reader_read(reader, path, &error);
   unlink(path);
   assert_non_null(p);

@@ -4,7 +4,7 @@
 #ifndef ASPERITY_DEM_LEDGER_ROW_H
 #define ASPERITY_DEM_LEDGER_ROW_H
 
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "dem/books/ledger_file.h"
 #include "dem/books/ledger_format.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "dem/books/checksum.h"
 #include "dem/error.h"
 

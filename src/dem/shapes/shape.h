@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "asperity.h"
+#include "asperity_internal.h"
 #include "dem/shapes/motion.h"
 
 namespace asperity {

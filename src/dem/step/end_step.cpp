@@ -14,7 +14,7 @@
 #include <math.h>
 #include <algorithm>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "contact/vector.h"
 
 using namespace asperity;

@@ -22,7 +22,7 @@
 
 #include <math.h>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "contact/vector.h"
 
 using namespace asperity;

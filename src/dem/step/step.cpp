@@ -36,7 +36,7 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity_front.h"
+#include "asperity_internal.h"
 #include "contact/contact.h"
 #include "contact/vector.h"
 #include "dem/error.h"

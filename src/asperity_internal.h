@@ -1,5 +1,5 @@
-/* Functions for the fixes, the command and the Python module, besides asperity.h. Not
- * installed: it may change with every version.
+/* What the fixes, the command and the Python module need besides asperity.h. Not installed: it may
+ * change with every version.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_FRONT_H
@@ -13,6 +13,140 @@ extern "C" {
 #if defined(__GNUC__)
 #pragma GCC visibility push(default)
 #endif
+
+enum { ASP_BINS_MAX = 256 }; /* diameters that a measured wall can be prepared for */
+
+typedef struct asp_surface asp_surface;
+typedef struct asp_spread_model asp_spread_model;
+typedef struct asp_rebound_law asp_rebound_law;
+
+/* ---- wall ------------------------------------------------------------------------------------ */
+/* The parts of a wall. The surface is NULL where it is smooth. */
+const asp_surface *asp_wall_surface(const asp_wall *wall);
+const asp_spread_model *asp_wall_spread(const asp_wall *wall);
+const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
+
+/* ---- spread models --------------------------------------------------------------------------- */
+/* The distribution of the tilt delta_alpha of the face that is hit, cut to |delta_alpha| < 90
+ * degrees (a height function has no overhangs, and a particle hits only faces turned toward it)
+ * and normalized. */
+
+/* All models, in a fixed order: 0 <= index < asp_spread_count(); the first is `none`, that of
+ * smooth walls, which is no word of a description. find: by name; NULL and a message that lists the
+ * names if there is none. */
+int asp_spread_count(void);
+const asp_spread_model *asp_spread_at(int index);
+const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
+const char *asp_spread_name(const asp_spread_model *model);
+const char *asp_spread_summary(const asp_spread_model *model);
+const char *asp_spread_source(const asp_spread_model *model);
+
+/* ---- rebound laws ---------------------------------------------------------------------------- */
+int asp_rebound_count(void);
+const asp_rebound_law *asp_rebound_at(int index);
+const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error);
+const char *asp_rebound_name(const asp_rebound_law *law);
+bool asp_rebound_needs_pair(const asp_rebound_law *law); /* asp_particle.pair must be given */
+
+/* A parameter of a law, which asp_description_set sets; NULL for an index that there is not. */
+typedef struct asp_parameter {
+  const char *name;
+  const char *unit; /* the kind of its unit, as "stress"; "" for none */
+  double fallback;  /* the value where the user gives none */
+  double least, most;
+  const char *text;    /* what it is, its source, and whether the original was seen */
+  const char *keyword; /* the word of a script that it follows, the same for several in a row that
+                          follow it together; NULL: it follows the law's name */
+  const char *words;   /* those for the values 0, 1 ..., separated by blanks; NULL: a number */
+} asp_parameter;
+const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index);
+
+/* ---- materials ------------------------------------------------------------------------------- */
+/* The presets. */
+int asp_material_count(void); /* of the presets */
+const asp_material *asp_material_at(int index);
+const char *asp_material_name(const asp_material *material);
+
+/* ---- keywords -------------------------------------------------------------------------------- */
+/* A keyword of a description, one of the list that `asperity help wall` prints; NULL for an index
+ * past the last. The parameters of the laws are in lists of their own, asp_rebound_parameter. */
+typedef struct asp_keyword {
+  const char *name;
+  const char *within; /* the keyword that it belongs to; "" where it begins a clause of its own */
+  const char *values; /* as a syntax shows them; "" for none */
+  const char
+      *unit;     /* of a number: its kind, as "length", "degrees", "" for none; NULL: no number */
+  size_t number; /* 0: no number that get and set know; else for the library's own use */
+  size_t flag;   /* for the library's own use */
+  double fallback, least, most;
+  bool above; /* it must be more than `least` */
+  bool whole;
+  bool may_fit;         /* `asperity calibrate` can fit it */
+  const char *standard; /* the default, as text; "" where there is none */
+  const char *text;
+} asp_keyword;
+const asp_keyword *asp_keyword_at(int index);
+
+/* ---- files of measured walls ----------------------------------------------------------------- */
+/* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
+ * or spaces; after any header), or SDF in ASCII (ISO 25178-71). A text file must state its unit in
+ * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
+ * um`), or the reader must be given it; the same lines say which columns are positions and heights,
+ * where there are more. Positions may be rounded: the spacing comes from all of them. They may
+ * fall, and repeat themselves (heights are averaged); what follows the data is left out. Columns X
+ * and Y beside the heights give the distance along a straight line. A column named depth or Tiefe
+ * counts downward and is turned over. */
+typedef struct asp_reader asp_reader;
+asp_reader *asp_reader_create(asp_error *error);
+void asp_reader_free(asp_reader *reader);
+
+/* Sets an option of reading by name; the default is in brackets:
+ *   unit_x, unit_z  meters in one unit of a text file's columns (0: as the file states)
+ *   meter           one meter in the unit of the result (1; 1e6 for micrometers)
+ *   form            degree of the polynomial that is taken out as form, 0 to 9 (1); -1: none
+ *   spikes          points this many robust sd off their neighbors, in every direction on a map,
+ *                   are bad (0: none are)
+ *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
+ *   resample        1: unequal spacing is resampled by straight lines (1); 0: it is refused
+ *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of
+ *                   a text file, column is that of the heights (0: by the header)
+ *   x_column        of a text file: that of the positions (0: by the header)
+ *   step_x          meters between heights of a text file that has no positions (0: it has some)
+ *   missing         a height that stands for a missing one, in the file's unit (NaN: there is none)
+ *   tip, lambda_s, cutoff
+ *                   filters, in meters (0: left out): the radius of the stylus whose dilation is
+ *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
+ *                   16610-21 takes waves out
+ * Units, step_x and missing are refused for SDF files, which state them. */
+asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
+
+/* The profile of a file; the message names file and line. */
+asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error);
+
+/* One sentence about the file read last: points, bad ones, spikes, points filled in, the form taken
+ * out, and how positions and columns were taken. */
+const char *asp_reader_text(const asp_reader *reader);
+
+/* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
+ * off all neighbors, where no spikes were looked for), heights in few levels, or cut off at an end
+ * of their range. For a front end to warn of. */
+asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
+
+/* The map of a file: SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or
+ * lines of x, y, z on a grid, in columns of these names, or where there are three columns. The
+ * reader's options count as for profiles, but form is the degree of a polynomial in x and y, and
+ * resample has no effect; row, column, x_column and the filters are refused. Also step_x, step_y,
+ * meters between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
+ * matrices do; step_y: as step_x). Closed formats are refused with the name of a free program that
+ * converts them. */
+asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);
+
+/* The points of a map. */
+size_t asp_map_columns(const asp_map *map);
+size_t asp_map_rows(const asp_map *map);
+double asp_map_step_x(const asp_map *map);
+double asp_map_step_y(const asp_map *map);
+const float *asp_map_heights(const asp_map *map);
 
 /* ---- description ----------------------------------------------------------------------------- */
 /* Parses clause by clause, for a caller with other words in between: begin with
@@ -82,6 +216,33 @@ double asp_description_capture_speed(const asp_description *description,
                                      const asp_particle *particle);
 
 /* ---- surface --------------------------------------------------------------------------------- */
+/* The rms slope of a rough wall as a sphere of diameter d_p meets it. */
+
+/* ASP_ERANGE and a message when d_p is beyond the range in which the slope was checked: to be
+ * called at setup, before the contacts begin. */
+asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error);
+
+/* The wall's own numbers: phi_r (eq. 9), and the unfiltered rms slope: sqrt(2) phi_r of a Gaussian
+ * wall. */
+double asp_surface_r_q(const asp_surface *surface);
+double asp_surface_lambda_c(const asp_surface *surface);
+double asp_surface_lambda_along(const asp_surface *surface); /* lambda_c where there is no lay */
+double asp_surface_phi_r(const asp_surface *surface);
+double asp_surface_slope_rms(const asp_surface *surface);
+
+/* kappa = sqrt(3) d_p r_q / lambda_c^2: the particle's radius times the rms curvature of the
+ * profile, across the lay. Under about 0.4 the particle follows the profile and its size does not
+ * matter. */
+double asp_surface_kappa(const asp_surface *surface, double d_p);
+
+/* The rms slope s_eff of the profile, across the lay, closed by a disc of diameter d_p (>= 0, the
+ * surface's unit): for a Gaussian wall of phi_r <= 0.25 s (1 + 0.92 kappa^3)^(-1/6), within 5 % of
+ * generated profiles for kappa up to 16. Walls with tilt `plane` take it. Those with `isotropic`
+ * take that of a sphere on a surface, along the axis i across the lay or along it and with the
+ * other one as j: s_i (1 + kappa_i^2 (0.92 kappa_i + 0.37 kappa_j))^(-1/6), within 2 % for kappa up
+ * to 4 and small slopes, 4 % high at 8; at phi_r 0.25 5 % low for kappa 1 to 1.5. */
+double asp_surface_slope(const asp_surface *surface, double d_p);
+
 /* A Gaussian wall by its two numbers, both in one unit of length and both greater than zero: r_q,
  * the rms height, and lambda_c, the lag at which the autocorrelation exp(-x^2/lambda_c^2) has
  * fallen to 1/e; filtered by a disc. phi_r = r_q/lambda_c up to 1. */
