@@ -17,6 +17,9 @@ namespace {
 /* Faces of one part, at most. */
 const int FACES = 64;
 
+/* The least relative speed of a path, as a share of the speeds: of one that rides on a part. */
+const double LEAST = 1e-3;
+
 /* The axis of a region's turn is protected in it. */
 class AxisOf : public Region {
 public:
@@ -77,6 +80,20 @@ double RegionPart::travel(const double lo[3], const double hi[3]) const {
 
 double RegionPart::turn_speed() const {
   return region_->rotateflag ? fabs(rate_.angle) : 0;
+}
+
+/* The way from one end of the step to the other, as the part sees it, and what turns it. */
+double RegionPart::fastest(const asperity::Path &path, double most) const {
+  double from[3], to[3];
+  if (!moves_)
+    return aspi_length(path.v);
+  if (path.left < path.dt)
+    return most;
+  aspi_add_scaled(path.x, path.left, path.v, to);
+  begin_.to_local(path.x, from);
+  end_.to_local(to, to);
+  aspi_subtract(to, from, to);
+  return aspi_length(to) / path.left + 2 * turn_speed() * path.left * most + LEAST * most;
 }
 
 RegionPose RegionPart::pose(double share) const {

@@ -10,6 +10,7 @@
 
 #include "pointers.h"
 #include "dem/shapes/motion.h"
+#include "dem/shapes/shape.h"
 
 namespace LAMMPS_NS {
 
@@ -49,6 +50,9 @@ public:
    * it, at most; and the mean angular speed. */
   double travel(const double lo[3], const double hi[3]) const;
   double turn_speed() const;
+
+  /* The speed of a path relative to the part, at most; `most`: of any two points. */
+  double fastest(const asperity::Path &path, double most) const;
 
   /* Puts the part to where it is at a share of the step; there it is when it is asked for what
    * follows. */

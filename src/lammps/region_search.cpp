@@ -44,8 +44,11 @@ struct RegionShape::Search {
   double fastest; /* of the sphere relative to any face */
 
   Search(const RegionShape &s, const Path &p, double r)
-      : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r),
-        fastest(aspi_length(p.v) + s.speed_) {}
+      : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r), fastest(0) {
+    const double most = aspi_length(p.v) + s.speed_;
+    for (const RegionPart &part : s.parts_)
+      fastest = std::max(fastest, std::min(most, part.fastest(p, most)));
+  }
   ~Search() {
     shape.set_share(1);
   }
@@ -80,7 +83,7 @@ void RegionShape::Search::look(double time, Look &l) const {
   l.in_room = shape.open_ || shape.in_room(shape.root_, false, l.x);
   l.feet.clear();
   shape.find_feet(shape.root_, false, l.x,
-                  1.001 * radius + fastest * std::max(0.0, path.left - time), l.feet);
+                  (1 + 2 * KEEPS) * radius + fastest * std::max(0.0, path.left - time), l.feet);
 }
 
 /* The velocity of the foot, and of the sphere relative to it. */
@@ -263,7 +266,7 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
       search.fill(now, *foot, contact);
       return true;
     }
-    if (!(now.time < end))
+    if (!(now.time < end) || now.feet.empty())
       return false;
     double step = search.next(now);
     if (flat_ && !open_ && now.in_room && !(speed_ > 0) && now.time + step > end)

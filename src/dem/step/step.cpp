@@ -552,8 +552,26 @@ void asperity::leave_stuck(const Flight &flight, const Touch &touch, Bodies &bod
   stick(touch, flight.mover, bodies, flight.path.left);
 }
 
+/* True if a grain's path meets one of these walls: those of most that are near do not. */
+static bool meets(const Walls &near, const Spheres &s, int i) {
+  const size_t at = 3 * static_cast<size_t>(i);
+  Path path;
+  Contact contact;
+  path.left = path.dt = s.dt;
+  path.rest = 0;
+  aspi_copy(s.v + at, path.v);
+  aspi_add_scaled(s.x + at, -s.dt, path.v, path.x);
+  for (const Stepper *wall : near)
+    for (const Member &member : wall->setup.shapes)
+      if (member.shape->find(path, s.radius[i], s.dt, contact))
+        return true;
+  return false;
+}
+
 /* All contacts of a grain. */
 static void fly_one(const Walls &walls, const Walls &near, const Spheres &s, int i) {
+  if (!meets(near, s, i))
+    return;
   Mover mover(s, i);
   Flight flight(mover, s, *walls[0]);
   Touch stuck;
