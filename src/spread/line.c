@@ -133,19 +133,3 @@ void aspi_line_first_hits(const aspi_line *line, double fall, double *weight) {
     highest = g > highest ? g : highest;
   }
 }
-
-void aspi_line_hits(const aspi_line *line, double fall, const double *share, size_t count,
-                    aspi_spot *spots) {
-  double rise = fall * line->step * (double)line->n, first = highest_before(line, fall);
-  size_t k = 0, n = line->n;
-  for (size_t i = 0; i < n && k < count; i++) {
-    double g = line->end_z[i] + fall * line->end_x[i];
-    for (; k < count && first + share[k] * rise <= g; k++) {
-      /* On the face, back from its end. */
-      double back = (g - first - share[k] * rise) / (line->slope[i] + fall);
-      spots[k] = (aspi_spot){i, line->end_x[i] - back, line->end_z[i] - line->slope[i] * back};
-    }
-  }
-  for (; k < count; k++)
-    spots[k] = (aspi_spot){n - 1, line->end_x[n - 1], line->end_z[n - 1]};
-}

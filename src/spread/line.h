@@ -50,15 +50,4 @@ double aspi_line_fall(const aspi_line *line, double alpha1);
  * running maximum of g = z + x fall, in the second of two periods. */
 void aspi_line_first_hits(const aspi_line *line, double fall, double *weight);
 
-/* A place on a line. */
-typedef struct aspi_spot {
-  size_t face;
-  double x, z;
-} aspi_spot;
-
-/* Points of first hit for the given places in the beam: shares of a period from 0 to 1,
- * ascending. */
-void aspi_line_hits(const aspi_line *line, double fall, const double *share, size_t count,
-                    aspi_spot *spots);
-
 #endif

@@ -1,20 +1,15 @@
-/* A map: equally spaced heights over an area. A Gaussian one is made from white noise with the
- * square root of the spectrum of r_q^2 exp(-r' M r), which is proportional to exp(-k' M^-1 k / 8),
- * by GSL's FFT over the rows and then over the columns. The noise is drawn in Fourier space,
- * complex and without symmetry; the real part of its transform is the map.
+/* A map: equally spaced heights over an area.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/map.h"
 #include "base/error.h"
-#include "base/stream.h"
 
 #include <gsl/gsl_fft_complex.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define HEIGHT_MOST 1e30  /* squares of it are numbers in double precision */
-#define LENGTH_LEAST 10.0 /* correlation lengths along either axis */
+#define HEIGHT_MOST 1e30 /* squares of it are numbers in double precision */
 
 float *aspi_map_room(size_t columns, size_t rows) {
   return columns <= SIZE_MAX / sizeof(float) / rows ? malloc(columns * rows * sizeof(float)) : NULL;
@@ -59,96 +54,6 @@ void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double 
       for (size_t k = 0; k < GATHERED; k++)
         memcpy(data + 2 * (j * columns + i + k), room + 2 * (k * rows + j), 2 * sizeof *data);
   }
-}
-
-/* The amplitudes exp(-k' M^-1 k / 8) of one row of wave numbers, ky being that of the row. */
-typedef struct spectrum {
-  double m[3]; /* M^-1: xx, xy, yy */
-  double unit[2];
-} spectrum;
-
-/* The wave number of an index on a circle of n points. */
-static double wave(size_t i, size_t n, double unit) {
-  return unit * (i <= n / 2 ? (double)i : (double)i - (double)n);
-}
-
-static double amplitude(const spectrum *s, double kx, double ky) {
-  return exp(-(s->m[0] * kx * kx + 2 * s->m[1] * kx * ky + s->m[2] * ky * ky) / 8);
-}
-
-static spectrum spectrum_of(const aspi_gauss *wall, const asp_map *map) {
-  double c = cos(wall->axis), s = sin(wall->axis);
-  double a = wall->lambda_1 * wall->lambda_1, b = wall->lambda_2 * wall->lambda_2;
-  return (spectrum){{c * c * a + s * s * b, c * s * (a - b), s * s * a + c * c * b},
-                    {2 * ASP_PI / ((double)map->columns * map->step[0]),
-                     2 * ASP_PI / ((double)map->rows * map->step[1])}};
-}
-
-/* Fills `data`, complex, with the noise, filtered; the sum of the squares of the amplitudes. */
-static double fill_waves(const spectrum *s, const asp_map *map, uint32_t seed, double *data) {
-  double sum = 0;
-  for (size_t j = 0; j < map->rows; j++) {
-    aspi_stream stream =
-        aspi_stream_begin(&(asp_key){.seed = seed, .wall = asp_key_wall("map"), .tag = j});
-    for (size_t i = 0; i < map->columns; i++) {
-      double a = amplitude(s, wave(i, map->columns, s->unit[0]), wave(j, map->rows, s->unit[1]));
-      double *z = data + 2 * (j * map->columns + i);
-      sum += a * a;
-      if (a < 1e-12) {
-        z[0] = z[1] = 0;
-        continue;
-      }
-      z[0] = a * aspi_stream_normal(&stream);
-      z[1] = a * aspi_stream_normal(&stream);
-    }
-  }
-  return sum;
-}
-
-static asp_code check(const aspi_gauss *wall, const asp_map *map, asp_error *error) {
-  if (aspi_check_length(error, "r_q", wall->r_q) ||
-      aspi_check_length(error, "lambda_1", wall->lambda_1) ||
-      aspi_check_length(error, "lambda_2", wall->lambda_2) ||
-      aspi_check_length(error, "step", map->step[0]) ||
-      aspi_check_length(error, "step", map->step[1]))
-    return ASP_EARG;
-  const size_t side[2] = {map->columns, map->rows};
-  double least = fmin(wall->lambda_1, wall->lambda_2);
-  for (int i = 0; i < 2; i++) {
-    if (side[i] < ASP_MAP_SIDE_LEAST || side[i] > ASP_MAP_SIDE_MOST || (side[i] & (side[i] - 1)))
-      return aspi_fail(error, ASP_EARG,
-                       "a side of a generated map has %zu points; it must be a power of two from "
-                       "%d to %d",
-                       side[i], ASP_MAP_SIDE_LEAST, ASP_MAP_SIDE_MOST);
-    if ((double)side[i] * map->step[i] < LENGTH_LEAST * least)
-      return aspi_fail(error, ASP_EARG, "a side of a generated map is %g; it must be at least %g",
-                       (double)side[i] * map->step[i], LENGTH_LEAST * least);
-  }
-  return ASP_OK;
-}
-
-asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t columns, size_t rows,
-                         uint32_t seed, asp_error *error) {
-  asp_map shape = {columns, rows, {step[0], step[1]}, true, NULL};
-  if (check(wall, &shape, error))
-    return NULL;
-  size_t n = columns * rows;
-  double *data = malloc((2 * n + aspi_fft2_room(rows)) * sizeof *data);
-  shape.heights = aspi_map_room(columns, rows);
-  if (!data || !shape.heights) {
-    free(data);
-    free(shape.heights);
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", columns, rows);
-    return NULL;
-  }
-  spectrum s = spectrum_of(wall, &shape);
-  double sum = fill_waves(&s, &shape, seed, data), scale = wall->r_q / sqrt(sum);
-  data[0] = 0;
-  aspi_fft2(data, columns, rows, true, data + 2 * n);
-  for (size_t i = 0; i < n; i++)
-    shape.heights[i] = (float)(scale * data[2 * i]);
-  free(data);
-  return aspi_map_adopt(shape.heights, columns, rows, step, true, error);
 }
 
 asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,

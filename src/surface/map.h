@@ -22,17 +22,6 @@ enum { ASP_MAP_SIDE_LEAST = 4, ASP_MAP_SIDE_MOST = 65536 };
 asp_map *aspi_map_adopt(float *heights, size_t columns, size_t rows, const double step[2],
                         bool periodic, asp_error *error);
 
-/* A Gaussian wall with a lay: autocovariance r_q^2 exp(-r' M r), where M has the eigenvalues
- * 1/lambda_1^2 and 1/lambda_2^2; `axis` is the angle from x to the first of its axes (rad). */
-typedef struct aspi_gauss {
-  double r_q, lambda_1, lambda_2, axis;
-} aspi_gauss;
-
-/* A periodic map of such a wall. Both sides are powers of two and at least 10 of the smaller
- * lambda long. r_q is that of the ensemble. The same seed gives the same map. */
-asp_map *aspi_map_create(const aspi_gauss *wall, const double step[2], size_t columns, size_t rows,
-                         uint32_t seed, asp_error *error);
-
 /* GSL's complex FFT over rows and columns of 2^k points each, in place and without a norm; backward
  * with the positive sign. `room` is for aspi_fft2_room(rows) numbers. */
 size_t aspi_fft2_room(size_t rows);

@@ -25,7 +25,7 @@ static void reflect(double v[3], const double gradient[2]) {
 }
 
 /* One particle from its first hit on. */
-static void fly_on(const aspi_dilated_map *field, size_t row, const aspi_spot *spot, double alpha1,
+static void fly_on(const aspi_dilated_map *field, size_t row, const line_spot *spot, double alpha1,
                    aspi_angles *angles) {
   size_t at = row * field->columns + spot->face;
   double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
@@ -47,6 +47,32 @@ static void draw_places(aspi_stream *stream, double *share, size_t count) {
 }
 
 /* All particles of one surface in the directions in which its rows lie. */
+/* The maximum of g over the period before the one that begins with face 0. */
+static double highest_before(const aspi_line *line, double fall) {
+  double highest = -INFINITY, period = line->step * (double)line->n;
+  for (size_t i = 0; i < line->n; i++) {
+    double g = line->end_z[i] + fall * (line->end_x[i] - period);
+    highest = g > highest ? g : highest;
+  }
+  return highest;
+}
+
+void line_hits(const aspi_line *line, double fall, const double *share, size_t count,
+               line_spot *spots) {
+  double rise = fall * line->step * (double)line->n, first = highest_before(line, fall);
+  size_t k = 0, n = line->n;
+  for (size_t i = 0; i < n && k < count; i++) {
+    double g = line->end_z[i] + fall * line->end_x[i];
+    for (; k < count && first + share[k] * rise <= g; k++) {
+      /* On the face, back from its end. */
+      double back = (g - first - share[k] * rise) / (line->slope[i] + fall);
+      spots[k] = (line_spot){i, line->end_x[i] - back, line->end_z[i] - line->slope[i] * back};
+    }
+  }
+  for (; k < count; k++)
+    spots[k] = (line_spot){n - 1, line->end_x[n - 1], line->end_z[n - 1]};
+}
+
 static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t count, size_t rays,
                     uint32_t seed, aspi_angles *angles, asp_error *error) {
   aspi_line line;
@@ -55,7 +81,7 @@ static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t
   if (code)
     return code;
   double *share = calloc(per_row, sizeof *share);
-  aspi_spot *spots = calloc(per_row, sizeof *spots);
+  line_spot *spots = calloc(per_row, sizeof *spots);
   if (!share || !spots)
     code = aspi_fail(error, ASP_ENOMEM, "out of memory for %zu flights a row", per_row);
   for (size_t row = 0; row < field->rows && !code; row++) {
@@ -64,7 +90,7 @@ static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t
     for (size_t i = 0; i < count; i++) {
       double alpha1 = aspi_radians(degrees[i]);
       draw_places(&stream, share, per_row);
-      aspi_line_hits(&line, tan(alpha1), share, per_row, spots);
+      line_hits(&line, tan(alpha1), share, per_row, spots);
       for (size_t k = 0; k < per_row; k++)
         fly_on(field, row, &spots[k], alpha1, &angles[i]);
     }
@@ -76,13 +102,14 @@ static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t
 }
 
 static asp_map *generated(const surfaces *subject, uint32_t seed, asp_error *error) {
-  const aspi_gauss *wall = &subject->wall;
+  const gauss_wall *wall = &subject->wall;
   double c = cos(wall->axis), s = sin(wall->axis), a = 1 / (wall->lambda_1 * wall->lambda_1),
          b = 1 / (wall->lambda_2 * wall->lambda_2);
   double step[2] = {1 / (PER_LAMBDA * sqrt(c * c * a + s * s * b)),
                     1 / (PER_LAMBDA * sqrt(s * s * a + c * c * b))};
-  return subject->make ? subject->make(subject, step, subject->points, seed)
-                       : aspi_map_create(wall, step, subject->points, subject->points, seed, error);
+  return subject->make
+             ? subject->make(subject, step, subject->points, seed)
+             : gauss_map_create(wall, step, subject->points, subject->points, seed, error);
 }
 
 /* The path of the sphere's center over one of the surfaces. */

@@ -6,12 +6,13 @@
 #define ASP_SWEEP_JUDGE_3D_H
 
 #include "analysis/judge.h"
-#include "surface/map.h"
+#include "gauss_map.h"
+#include "spread/line.h"
 
 /* The surfaces, of `points` x `points` points, 20 a correlation length, and the rays over each. */
 typedef struct surfaces surfaces;
 struct surfaces {
-  aspi_gauss wall;
+  gauss_wall wall;
   double d_p;
   size_t groups, rays, points; /* points: a power of two */
   uint32_t seed;
@@ -24,5 +25,16 @@ struct surfaces {
  * they leave. The judge has no first hits. */
 asp_code judge_in_space(aspi_judge *judge, const surfaces *subject, const double *degrees,
                         size_t count, asp_error *error);
+
+/* A place on a line. */
+typedef struct line_spot {
+  size_t face;
+  double x, z;
+} line_spot;
+
+/* Points of first hit for the given places in the beam: shares of a period from 0 to 1,
+ * ascending. */
+void line_hits(const aspi_line *line, double fall, const double *share, size_t count,
+               line_spot *spots);
 
 #endif

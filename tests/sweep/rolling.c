@@ -9,6 +9,7 @@
  * of WALLS walls, and fails where speeds differ by more than four standard errors.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "gauss_map.h"
 #include "base/running.h"
 #include "asperity_internal.h"
 #include "surface/ball.h"
@@ -53,8 +54,8 @@ static asp_map *wall_of(const row *r, uint32_t seed) {
   double r_q = r->slope_rms / sqrt(2), step = 1. / RESOLUTION;
   asp_map *map;
   if (r->dimensions == 3)
-    map = aspi_map_create(&(aspi_gauss){r_q, 1, 1, 0}, (double[]){step, step},
-                          RESOLUTION * MAP_LENGTH, RESOLUTION * MAP_LENGTH, seed, &error);
+    map = gauss_map_create(&(gauss_wall){r_q, 1, 1, 0}, (double[]){step, step},
+                           RESOLUTION * MAP_LENGTH, RESOLUTION * MAP_LENGTH, seed, &error);
   else {
     asp_profile *profile =
         asp_profile_create(r_q, 1, step, RESOLUTION * PROFILE_LENGTH, seed, &error);

@@ -72,8 +72,8 @@ static asp_map *make_wall(const surfaces *subject, const double step[2], size_t 
                           uint32_t seed) {
   (void)subject;
   asp_error error;
-  aspi_gauss gauss = {kind == GAUSS || kind == PLATEAU ? 5 : 3, lambda_c[kind], lambda_c[kind], 0};
-  asp_map *m = aspi_map_create(&gauss, step, points, points, seed, &error);
+  gauss_wall gauss = {kind == GAUSS || kind == PLATEAU ? 5 : 3, lambda_c[kind], lambda_c[kind], 0};
+  asp_map *m = gauss_map_create(&gauss, step, points, points, seed, &error);
   if (!m)
     fail(&error);
   size_t n = points * points;

@@ -37,8 +37,8 @@ static void field_of(aspi_dilated_map *f, asp_map *map, double d_p) {
  */
 static void flights_end_where_small_steps_do(void **state) {
   (void)state;
-  aspi_gauss wall = {0.2, 1, 1, 0};
-  asp_map *map = aspi_map_create(&wall, (const double[2]){0.1, 0.08}, 128, 128, 7, NULL);
+  gauss_wall wall = {0.2, 1, 1, 0};
+  asp_map *map = gauss_map_create(&wall, (const double[2]){0.1, 0.08}, 128, 128, 7, NULL);
   map->columns = 101;
   map->rows = 97;
   for (size_t j = 0; j < map->rows; j++)
@@ -74,8 +74,8 @@ static void flights_end_where_small_steps_do(void **state) {
  * differ, and a face may send a particle under its neighbor: it hits that, and is not lost. */
 static void no_flight_ends_below_a_coarse_wall(void **state) {
   (void)state;
-  aspi_gauss wall = {0.2, 1, 1, 0};
-  asp_map *map = aspi_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
+  gauss_wall wall = {0.2, 1, 1, 0};
+  asp_map *map = gauss_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
   aspi_dilated_map f;
   field_of(&f, map, 0.1);
   int hits = 0;
@@ -102,15 +102,15 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
 /* On one row, weights and places agree, and every one of them is where the beam says. */
 static void first_hits_fill_the_beam(void **state) {
   (void)state;
-  aspi_gauss wall = {0.2, 1, 1, 0};
-  asp_map *map = aspi_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
+  gauss_wall wall = {0.2, 1, 1, 0};
+  asp_map *map = gauss_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
   aspi_dilated_map f;
   field_of(&f, map, 2);
   aspi_line line;
   assert_int_equal(aspi_line_create(&line, f.columns, f.step[0], NULL), ASP_OK);
   enum { COUNT = 20000 };
   static double share[COUNT], weight[1024], count[1024];
-  static aspi_spot spots[COUNT];
+  static line_spot spots[COUNT];
   for (int k = 0; k < COUNT; k++)
     share[k] = (k + 0.5) / COUNT;
   for (int way = -1; way < 2; way += 2) {
@@ -118,7 +118,7 @@ static void first_hits_fill_the_beam(void **state) {
     memset(count, 0, sizeof count);
     aspi_line_set(&line, f.z + 3 * 1024, f.p + 3 * 1024, way);
     aspi_line_first_hits(&line, fall, weight);
-    aspi_line_hits(&line, fall, share, COUNT, spots);
+    line_hits(&line, fall, share, COUNT, spots);
     for (int k = 0; k < COUNT; k++) {
       count[spots[k].face] += 1. / COUNT;
       double x = way > 0 ? spots[k].x : 1023 * f.step[0] - spots[k].x;
@@ -214,7 +214,7 @@ static asp_map *ridges(const surfaces *subject, const double step[2], size_t poi
                        uint32_t seed) {
   (void)step;
   asp_map *map =
-      aspi_map_create(&subject->wall, (const double[2]){2.5, 2.5}, points, points, seed, NULL);
+      gauss_map_create(&subject->wall, (const double[2]){2.5, 2.5}, points, points, seed, NULL);
   for (size_t i = 0; i < points * points; i++)
     map->heights[i] = -2 * fabsf(map->heights[i]);
   return map;

@@ -7,6 +7,7 @@
  * those of GSL and of stdio fail, too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "gauss_map.h"
 #include "spread/map_table.h"
 #include "spread/line.h"
 #include "wall/wall.h"
@@ -147,14 +148,8 @@ static asp_code track(asp_error *error) {
 }
 
 static asp_map *gauss_map(asp_error *error) {
-  aspi_gauss wall = {1, 4, 4, 0};
-  return aspi_map_create(&wall, (const double[2]){1, 1}, 64, 64, 1, error);
-}
-
-static asp_code generated_map(asp_error *error) {
-  asp_map *map = gauss_map(error);
-  asp_map_free(map);
-  return code_of(map, error);
+  gauss_wall wall = {1, 4, 4, 0};
+  return gauss_map_create(&wall, (const double[2]){1, 1}, 64, 64, 1, error);
 }
 
 static asp_code read_area(const char *path, asp_error *error) {
@@ -424,7 +419,6 @@ int main(void) {
       {"closing", close_profile, true},
       {"slopes", slopes, true},
       {"track", track, true},
-      {"map, generated", generated_map, true},
       {"map, SDF", read_sdf_map, true},
       {"map, matrix", read_matrix, true},
       {"map, triples", read_triples, true},
