@@ -185,9 +185,9 @@ void asp_description_free(asp_description *description);
  * many characters there are without it. */
 size_t asp_description_text(const asp_description *description, char *text, size_t size);
 
-/* A number by name: a parameter of the law, or a keyword that is one. get: NaN where there is none
- * of that name, or it has no value. set checks the range; of the keywords within a clause it takes
- * those that are given. */
+/* Gets or sets a number by name: a law parameter or a numeric keyword. get returns NaN if the name
+ * is unknown or unset. set checks the range; it works on a clause's keyword only if the clause has
+ * it. */
 double asp_description_get(const asp_description *description, const char *name);
 asp_code asp_description_set(asp_description *description, const char *name, double value,
                              asp_error *error);

@@ -55,8 +55,8 @@ typedef struct asp_parameter {
   double fallback;  /* the value where the user gives none */
   double least, most;
   const char *text;    /* what it is, its source, and whether the original was seen */
-  const char *keyword; /* the word of a script that it follows, the same for several in a row that
-                          follow it together; NULL: it follows the law's name */
+  const char *keyword; /* script word that introduces this parameter; consecutive ones may share it.
+                          NULL: it follows the law's name */
   const char *words;   /* those for the values 0, 1 ..., separated by blanks; NULL: a number */
 } asp_parameter;
 const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index);
@@ -76,7 +76,7 @@ typedef struct asp_keyword {
   const char *values; /* as a syntax shows them; "" for none */
   const char
       *unit;     /* of a number: its kind, as "length", "degrees", "" for none; NULL: no number */
-  size_t number; /* 0: no number that get and set know; else for the library's own use */
+  size_t number; /* offset in the description; 0: not a number of get and set */
   size_t flag;   /* for the library's own use */
   double fallback, least, most;
   bool above; /* it must be more than `least` */
@@ -179,7 +179,7 @@ void asp_description_default_plane(asp_description *description);
 /* True if the words have this keyword. */
 bool asp_description_is_given(const asp_description *description, const char *keyword);
 
-/* The law, and whether its coefficients were measured, and so hold roughness already. */
+/* The law. True if the law's coefficients were measured on a wall: they include its roughness. */
 const asp_rebound_law *asp_description_rebound(const asp_description *description);
 bool asp_rebound_measured(const asp_rebound_law *law);
 

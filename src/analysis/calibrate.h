@@ -56,7 +56,8 @@ typedef struct aspi_calibration {
   const asp_material *particle, *target; /* alike */
   const double *lay;                     /* NULL: none */
   double density, d_p, speed;
-  double noise[COR_BOTH], noise_speed; /* of both angles, degrees; of both speeds, a share */
+  /* Measurement noise: sd of impact and rebound angle (degrees), relative sd of the speeds. */
+  double noise[COR_BOTH], noise_speed;
   size_t samples;
   uint32_t seed;
   bool smooth, sticks, known; /* known: the errors of the data are stated and need no scale */

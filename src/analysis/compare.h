@@ -31,7 +31,8 @@ typedef struct aspi_comparison {
   aspi_estimate score;
 } aspi_comparison;
 
-/* How far impacts of the model may be from a place where none has it: degrees, and shares. */
+/* Tolerances for matching model impacts to a measurement: degrees, relative speed, relative size.
+ */
 typedef struct aspi_compare_reach {
   double degrees, speed, size;
 } aspi_compare_reach;

@@ -29,7 +29,7 @@ enum { PROBES = 256, STARTS = 4, SEARCH_SAMPLES = 200 };
 
 /* Step of the unknowns for a derivative, wide enough to pass over the jumps that single impacts
  * make. */
-#define TURN 0.04
+#define DIFFERENCE 0.04
 
 /* Steps of a fit, at most, and their relative size at its end. */
 enum { STEPS = 20 };
@@ -186,12 +186,12 @@ static int slopes(const gsl_vector *x, void *data, gsl_matrix *out) {
   for (size_t j = 0; j < x->size && down; j++) {
     gsl_vector_view up = gsl_matrix_column(out, j);
     gsl_vector_memcpy(&at.vector, x);
-    of_at[j] += TURN;
+    of_at[j] += DIFFERENCE;
     residuals(&at.vector, data, &up.vector);
-    of_at[j] -= 2 * TURN;
+    of_at[j] -= 2 * DIFFERENCE;
     residuals(&at.vector, data, down);
     gsl_vector_sub(&up.vector, down);
-    gsl_vector_scale(&up.vector, 1 / (2 * TURN));
+    gsl_vector_scale(&up.vector, 1 / (2 * DIFFERENCE));
   }
   gsl_vector_free(down);
   return down ? GSL_SUCCESS : GSL_ENOMEM;
@@ -438,7 +438,6 @@ asp_code aspi_calibration_find(aspi_calibration *p, aspi_fit *fit, asp_error *er
   if (code)
     aspi_fail(error, code,
               code == ASP_ENOMEM ? "out of memory for a fit"
-                                 : "no wall or law has moments like those of the data; say by "
-                                   "fit=VALUE where the search begins");
+                                 : "no starting point fits the data; give one with fit=VALUE");
   return code;
 }

@@ -4,6 +4,8 @@
 #ifndef ASP_ANALYSIS_IMPACTS_H
 #define ASP_ANALYSIS_IMPACTS_H
 
+#include "base/tolerances.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -21,7 +23,7 @@ typedef struct aspi_scatter_row {
 
 /* Which interval of that width an angle is in; the last one ends with 90 degrees. */
 static inline double aspi_scatter_interval(const aspi_scatter_row *row, double width) {
-  return floor(fmin(row->degrees, 90 - 1e-6) / width + 1e-9);
+  return floor(fmin(row->degrees, 90 - 1e-6) / width + ASPI_ROUNDING_TEXT);
 }
 
 /* How rebounds were seen: in the plane of incidence, as by one camera from the side, so that CoR_T

@@ -12,8 +12,8 @@
 
 enum { ASPI_JUDGES_LEAST = 4, ASPI_JUDGES_MOST = 1024 };
 
-/* The case that is judged: a wall and particles of one size. The pieces of one half of a measured
- * profile judge models made of the other half, and vice versa: two folds. */
+/* The case that is judged: a wall and particles of one size. Of a measured profile,
+ * two-fold cross-validation: models made from one half are tested on pieces of the other. */
 typedef struct aspi_judge_case {
   double r_q, lambda_c, d_p;
   size_t groups; /* profiles of the ensemble, or pieces of a measured one */

@@ -59,8 +59,8 @@ void aspi_side_describe(aspi_side *side) {
 
 /* ---- differences ---- */
 
-/* The standard error of the difference of two sd. One law has one kurtosis, which few impacts tell
- * badly: that of both together counts. */
+/* The standard error of the difference of two sd. The kurtosis is pooled over both samples because
+ * small samples estimate it poorly. */
 static double sd_error_of(const aspi_sample *m, const aspi_sample *d) {
   const aspi_sample *both[] = {m, d};
   double n = 0, sum = 0;

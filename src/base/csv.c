@@ -38,6 +38,15 @@ static int numbers_of(char **fields, int count) {
   return any ? numbers : -1;
 }
 
+#define FIELDS "%d fields under %d column names%s"
+
+/* What may be wrong where a row has too many fields. */
+static const char *commas(const aspi_csv *csv, int count) {
+  return csv->separator == ',' && count > csv->columns
+             ? " (decimal commas need ; or tabs between the fields)"
+             : "";
+}
+
 /* A unit as a line of units has them, in brackets or bare. */
 static bool is_unit(const char *field) {
   field += strspn(field, "([{ ");
@@ -46,75 +55,58 @@ static bool is_unit(const char *field) {
          aspi_unit_find(NULL, field, length, false);
 }
 
-/* Takes a line as that of the names, and puts the units of the line below it, if any, behind them.
- */
-static void take_names(aspi_csv *csv, const char *line, const char *units) {
-  char copy[ASP_TEXT_MOST], below[ASP_TEXT_MOST], *names[ASP_CSV_COLUMNS], *unit[ASP_CSV_COLUMNS];
-  strcpy(copy, line);
-  strcpy(below, units);
-  csv->columns = aspi_text_names(copy, csv->separator, names, ASP_CSV_COLUMNS);
-  int count = *units ? aspi_text_names(below, csv->separator, unit, ASP_CSV_COLUMNS) : 0;
-  char *out = csv->header;
-  for (int i = 0; i < csv->columns; i++) {
-    bool has_unit = i < count && *unit[i];
-    csv->names[i] = out;
-    out += sprintf(out, "%s%s%s", names[i], has_unit ? " " : "", has_unit ? unit[i] : "") + 1;
-  }
-}
-
-/* State of the lines above the data: the last two without numbers, and the first number found where
- * a column name should be. */
+/* The lines above the data: the last two without numbers, the very last first, cut into fields; and
+ * what is wrong with the first number found where a column name should be. */
 typedef struct above {
-  char line[2][ASP_TEXT_MOST]; /* the very last first */
+  char line[2][ASP_TEXT_MOST], copy[2][ASP_TEXT_MOST], *name[2][ASP_CSV_COLUMNS];
+  int count[2];
   char wrong[240];
   size_t wrong_line;
 } above;
 
-static int count_names(const char *line, char separator) {
-  char copy[ASP_TEXT_MOST], *names[ASP_CSV_COLUMNS];
-  strcpy(copy, line);
-  return *line ? aspi_text_names(copy, separator, names, ASP_CSV_COLUMNS) : 0;
-}
-
-static bool is_units(const char *line, char separator) {
-  char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
-  strcpy(copy, line);
-  int count = *line ? aspi_text_names(copy, separator, fields, ASP_CSV_COLUMNS) : 0;
-  bool all = count > 0;
-  for (int i = 0; i < count; i++)
-    all = all && is_unit(fields[i]);
-  return all;
+/* Takes the names from the line above the first row, or from the one above a line of units, which
+ * are put behind them. The number of names. */
+static int take_names(aspi_csv *csv, above *a) {
+  for (int k = 0; k < 2; k++) {
+    strcpy(a->copy[k], a->line[k]);
+    a->count[k] =
+        *a->copy[k] ? aspi_text_names(a->copy[k], csv->separator, a->name[k], ASP_CSV_COLUMNS) : 0;
+  }
+  bool units = a->count[0] > 0 && a->count[1] == a->count[0];
+  for (int i = 0; i < a->count[0]; i++)
+    units = units && is_unit(a->name[0][i]);
+  char *out = csv->header;
+  csv->columns = a->count[units];
+  for (int i = 0; i < csv->columns; i++) {
+    bool has_unit = units && *a->name[0][i];
+    csv->names[i] = out;
+    out += sprintf(out, "%s%s%s", a->name[units][i], has_unit ? " " : "",
+                   has_unit ? a->name[0][i] : "") +
+           1;
+  }
+  return csv->columns;
 }
 
 /* Takes in a line above the data; true where it is the first one of them. */
 static bool is_data(aspi_csv *csv, above *a) {
   char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
   const char *line = csv->text.text;
-  char separator = csv->forced ? csv->separator : aspi_text_separator(line);
+  csv->separator = csv->forced ? csv->separator : aspi_text_separator(line);
   strcpy(copy, line);
-  int count = aspi_text_split(copy, separator, fields, ASP_CSV_COLUMNS);
+  int count = aspi_text_split(copy, csv->separator, fields, ASP_CSV_COLUMNS);
   int numbers = numbers_of(fields, count);
   if (numbers <= 0) {
     strcpy(a->line[1], a->line[0]);
     strcpy(a->line[0], numbers < 0 ? "" : line);
     return false;
   }
-  bool units = is_units(a->line[0], separator) &&
-               count_names(a->line[1], separator) == count_names(a->line[0], separator);
-  const char *names = a->line[units];
-  int named = count_names(names, separator);
-  csv->separator = separator;
-  if (named == count) {
-    take_names(csv, names, units ? a->line[0] : "");
+  int named = take_names(csv, a);
+  if (named == count)
     return true;
-  }
   if (!*a->wrong) {
     a->wrong_line = csv->text.line;
     if (named > 0)
-      snprintf(a->wrong, sizeof a->wrong, "%d fields under %d column names%s", count, named,
-               separator == ',' && count > named
-                   ? " (decimal commas need ; or tabs between the fields)"
-                   : "");
+      snprintf(a->wrong, sizeof a->wrong, FIELDS, count, named, commas(csv, count));
     else
       snprintf(a->wrong, sizeof a->wrong,
                "'%.40s' stands where a column name is expected; the line above the first numbers "
@@ -149,33 +141,30 @@ static asp_code read_header(aspi_csv *csv, asp_error *error) {
     code = aspi_text_fail(&csv->text, a->wrong_line, error, "%s", a->wrong);
   else if (!code && !csv->has_row) {
     csv->separator = csv->forced ? csv->separator : aspi_text_separator(a->line[0]);
-    take_names(csv, a->line[0], "");
+    *a->line[1] = '\0';
+    take_names(csv, a);
   }
   free(a);
   return code;
 }
 
-aspi_csv *aspi_csv_create(FILE *stream, const char *path, asp_error *error) {
-  aspi_csv *csv = malloc(sizeof *csv);
-  if (!csv) {
+aspi_csv *aspi_csv_open(const char *path, asp_error *error) {
+  FILE *stream = aspi_file_open(path, error);
+  aspi_csv *csv = stream ? malloc(sizeof *csv) : NULL;
+  if (stream && !csv) {
     fclose(stream);
     aspi_fail(error, ASP_ENOMEM, "out of memory for the table '%s'", path);
-    return NULL;
   }
+  if (!csv)
+    return NULL;
   csv->stream = stream;
   csv->has_row = csv->forced = false;
   csv->text = aspi_text_create(stream, path);
   *csv->comment = '\0';
-  if (read_header(csv, error)) {
-    aspi_csv_close(csv);
-    return NULL;
-  }
-  return csv;
-}
-
-aspi_csv *aspi_csv_open(const char *path, asp_error *error) {
-  FILE *stream = aspi_file_open(path, error);
-  return stream ? aspi_csv_create(stream, path, error) : NULL;
+  if (!read_header(csv, error))
+    return csv;
+  aspi_csv_close(csv);
+  return NULL;
 }
 
 void aspi_csv_close(aspi_csv *csv) {
@@ -216,11 +205,8 @@ asp_code aspi_csv_row(aspi_csv *csv, bool *found, asp_error *error) {
   int count = aspi_text_split(csv->text.text, csv->separator, csv->fields, ASP_CSV_COLUMNS);
   if (count == csv->columns)
     return ASP_OK;
-  return aspi_text_fail(&csv->text, csv->text.line, error, "%d fields under %d column names%s",
-                        count, csv->columns,
-                        csv->separator == ',' && count > csv->columns
-                            ? " (decimal commas need ; or tabs between the fields)"
-                            : "");
+  return aspi_text_fail(&csv->text, csv->text.line, error, FIELDS, count, csv->columns,
+                        commas(csv, count));
 }
 
 asp_code aspi_csv_number(const aspi_csv *csv, int column, double least, double most, double *value,

@@ -25,9 +25,6 @@ typedef struct aspi_csv {
 
 /* Opens a file and reads up to its column names. NULL on error; the message names file and line. */
 aspi_csv *aspi_csv_open(const char *path, asp_error *error);
-
-/* Reads a file that is open, which it closes at its end, also on error. */
-aspi_csv *aspi_csv_create(FILE *stream, const char *path, asp_error *error);
 void aspi_csv_close(aspi_csv *csv);
 
 /* Index of a column, or -1. */

@@ -9,7 +9,8 @@
 
 enum { ASP_TERMS_MOST = 55 };
 
-/* The normal equations a c = b; solving turns b into the coefficients c. Begins with `terms` alone.
+/* The normal equations a c = b; solving turns b into the coefficients c. Initialize with {.terms =
+ * n}.
  */
 typedef struct aspi_least_squares {
   size_t terms;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
+#include "base/tolerances.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,9 +15,6 @@
 
 /* A range with more steps is taken for a typing error. */
 #define STEPS_MOST 1e6
-
-/* Largest rounding error of a range's last step, in steps. */
-#define ROUNDING 1e-9
 
 enum { WORD_MOST = 80 };
 
@@ -81,7 +79,7 @@ static asp_code append(const reader *r, aspi_list *list, double from, double ste
 }
 
 static asp_code append_range(const reader *r, aspi_list *list, const double range[3]) {
-  double steps = floor((range[1] - range[0]) / range[2] + ROUNDING);
+  double steps = floor((range[1] - range[0]) / range[2] + ASPI_ROUNDING_TEXT);
   if (!(range[2] > 0) || !(range[1] >= range[0]) || !(steps <= STEPS_MOST))
     return fail_form(r, "a range has from <= to, a step > 0, and at most 1e6 steps");
   return append(r, list, range[0], range[2], (size_t)steps + 1);

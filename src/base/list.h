@@ -6,7 +6,7 @@
 
 #include "asperity.h"
 
-/* The values in turn; or, where `count` is 0, a log-normal law between two values. */
+/* A list of values, or a truncated log-normal distribution if count is 0. */
 typedef struct aspi_list {
   double *values;
   size_t count;

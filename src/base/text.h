@@ -16,7 +16,7 @@ typedef struct aspi_text {
   size_t line;      /* of the line or word in `text`, from 1 */
   size_t next;      /* of the next character */
   int utf16;        /* 1: little-endian, 2: big-endian, 0: bytes; -1: not looked at yet */
-  char pending[4];  /* what comes before the next byte of the file, last byte first */
+  char pending[4];  /* pushed-back bytes, in reverse order */
   int pending_count;
   char text[ASP_TEXT_MOST]; /* without its end */
 } aspi_text;

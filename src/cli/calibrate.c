@@ -164,7 +164,7 @@ static bool bound_of(const aspi_calibration *c, const aspi_fit *f, size_t i, cha
   else if (isfinite(low))
     snprintf(text, size, "%s > %.3g%s%s at 95 %%", u->name, low, space, u->unit);
   else
-    snprintf(text, size, "the data say nothing of %s", u->name);
+    snprintf(text, size, "the data do not constrain %s", u->name);
   return true;
 }
 

@@ -112,9 +112,9 @@ int cli_choice(const cli_option *option);
 CLI_FORMAT(1, 2) void cli_say(const char *format, ...);
 CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
-/* A file that appears under its name, whole, when it is closed; an exit before that leaves what was
- * there. A symbolic link is replaced. A device or a pipe is written to as it is, and so is the file
- * that is standard output, which "-" and NULL are, too. */
+/* Written to a temporary file and renamed on close; an early exit leaves the old file. A symbolic
+ * link is replaced. A device or a pipe is written to as it is, and so is the file that is standard
+ * output, which "-" and NULL are, too. */
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 

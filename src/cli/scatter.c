@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
+#include "base/tolerances.h"
 
 #include <ctype.h>
 #include <limits.h>
@@ -19,7 +20,7 @@
 #define OF_MASS "mass"
 
 /* Angles may be rounded, and noise puts no rebound farther below the wall than this, in degrees. */
-#define RIGHT_ANGLE (90 * (1 + 1e-9))
+#define RIGHT_ANGLE (90 * (1 + ASPI_ROUNDING_TEXT))
 #define BELOW_MOST 20
 
 /* A larger number is a mistake. */
@@ -294,7 +295,9 @@ static form find_form(cli_scatter *t) {
 /* The coefficients of the components of both velocities. */
 static void take_velocities(double n1, double t1, double n2, double t2, aspi_scatter_row *row) {
   row->cor[COR_N] = n1 > 0 ? n2 / n1 : NAN;
-  row->cor[COR_T] = fabs(t1) > 1e-12 * n1 && row->degrees < 90 - 1e-9 ? t2 / t1 : NAN;
+  row->cor[COR_T] =
+      fabs(t1) > ASPI_ROUNDING_DOUBLE * n1 && row->degrees < 90 * (1 - ASPI_ROUNDING_TEXT) ? t2 / t1
+                                                                                           : NAN;
 }
 
 static aspi_scatter_row row_of(const form *f, const double v[]) {

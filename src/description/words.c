@@ -30,7 +30,8 @@ bool aspi_words_take_once(aspi_words *r, const char *name, asp_code *code) {
   return true;
 }
 
-const asp_keyword *aspi_words_take_keyword(aspi_words *r, const char *within, asp_code *code) {
+/* The same for any keyword within another one. NULL if the next word is none of them. */
+static const asp_keyword *take_keyword(aspi_words *r, const char *within, asp_code *code) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
     const asp_keyword *k = asp_keyword_at(i);
     if (strcmp(k->within, within) == 0 && aspi_words_take_once(r, k->name, code))
@@ -167,7 +168,7 @@ asp_code aspi_words_value(aspi_words *r, const asp_keyword *k) {
 asp_code aspi_words_values(aspi_words *r, const char *within, bool *any) {
   asp_code code = ASP_OK;
   const asp_keyword *k;
-  for (*any = false; !code && (k = aspi_words_take_keyword(r, within, &code)); *any = true)
+  for (*any = false; !code && (k = take_keyword(r, within, &code)); *any = true)
     code = code ? code : aspi_words_value(r, k);
   return code;
 }

@@ -28,9 +28,6 @@ bool aspi_words_number_next(const aspi_words *words);
  * a message, where it was given before. */
 bool aspi_words_take_once(aspi_words *words, const char *name, asp_code *code);
 
-/* Alike of the words within a keyword; NULL: it is none. */
-const asp_keyword *aspi_words_take_keyword(aspi_words *words, const char *within, asp_code *code);
-
 /* True, with a message where it belongs, if a word is a keyword within another one. */
 bool aspi_words_misplaced(const aspi_words *words, const char *name);
 

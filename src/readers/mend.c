@@ -8,6 +8,7 @@
 #include "base/least_squares.h"
 #include "surface/map.h"
 #include "surface/profile.h"
+#include "base/tolerances.h"
 
 #include <gsl/gsl_rstat.h>
 #include <gsl/gsl_sf_legendre.h>
@@ -20,10 +21,6 @@
 /* Heights and spacings beyond these (m) are no surface, and could overflow. */
 #define LENGTH_MOST 1e9
 #define SPACING_LEAST 1e-15
-
-/* Less than this part of the heights in the file is rounding; maps are single precision. */
-#define ROUNDING 1e-12
-#define ROUNDING_MAP 1e-7
 
 /* Neighbors on each side for spikes, of a profile and of a map. */
 enum { REACH = 3, REACH_MAP = 2 };
@@ -304,7 +301,8 @@ asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *
   asp_code code = check_lengths(raw, path, error);
   if (!code)
     code = check_bad(raw, path, 0, 0, options->fill, error);
-  double least, most, rounding = (raw->is_map ? ROUNDING_MAP : ROUNDING) * largest(raw);
+  double least, most,
+      rounding = (raw->is_map ? ASPI_ROUNDING_SINGLE : ASPI_ROUNDING_DOUBLE) * largest(raw);
   if (!code)
     code = level(raw, path, options, report, error);
   if (!code)

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
+#include "base/tolerances.h"
 
 #include <math.h>
 
@@ -15,7 +16,7 @@ static const double known[ASP_MISSING_KNOWN] = {-9999,  -999,   -999.9, -9999.9,
 #define OFF 10
 
 double aspi_missing_note(aspi_missing *marks, double height, size_t place) {
-  if (!isfinite(height) || fabs(height - marks->stated) <= 1e-9 * fabs(marks->stated))
+  if (!isfinite(height) || fabs(height - marks->stated) <= ASPI_ROUNDING_TEXT * fabs(marks->stated))
     return NAN;
   for (int i = 0; i < ASP_MISSING_KNOWN; i++)
     if (fabs(height - known[i]) <= 1e-7 * fabs(known[i])) { /* as single precision has it, too */

@@ -5,6 +5,7 @@
 #include "readers/positions.h"
 #include "base/error.h"
 #include "base/number.h"
+#include "base/tolerances.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -196,7 +197,7 @@ static asp_code interpolate(aspi_positions *p, aspi_raw *raw, asp_error *error) 
       raw->bad_line = b->line;
     for (double x; !code && (x = p->list[0].x + (double)raw->points * p->usual) <= b->x;) {
       double part = (x - a->x) / (b->x - a->x);
-      double z = part > 1 - 1e-9 ? b->z : gap ? NAN : a->z + part * (b->z - a->z);
+      double z = part > 1 - ASPI_ROUNDING_TEXT ? b->z : gap ? NAN : a->z + part * (b->z - a->z);
       code = aspi_raw_add(raw, z, error);
     }
   }

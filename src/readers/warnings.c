@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
+#include "base/tolerances.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -12,9 +13,6 @@
 
 /* Heights have steps where they take no more values than this, each of them many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
-
-/* Neighbors whose heights differ by less than this part of the range do so by rounding. */
-#define ROUNDING 1e-9
 
 /* Heights are clipped if this share of all points is at one end of their range, and this many times
  * the number of the points next to it: within this part of the range, and this many steps. */
@@ -68,7 +66,7 @@ static void find_cut(const aspi_raw *raw, int end, aspi_steps *s) {
   bool before = false;
   for (size_t i = 0; i < raw->points; i++) {
     double off = fabs(aspi_raw_at(raw, i) - at);
-    bool is_there = off <= ROUNDING * range;
+    bool is_there = off <= ASPI_ROUNDING_TEXT * range;
     there += is_there && before;
     near += !is_there && off <= next;
     before = is_there;
@@ -80,7 +78,7 @@ static void find_cut(const aspi_raw *raw, int end, aspi_steps *s) {
 aspi_steps aspi_steps_find(const aspi_raw *raw) {
   aspi_steps s = {.quantum = INFINITY};
   find_ends(raw, &s);
-  double least = ROUNDING * (s.end[1] - s.end[0]);
+  double least = ASPI_ROUNDING_TEXT * (s.end[1] - s.end[0]);
   for (size_t i = 1; i < raw->points; i++) {
     double step = fabs(aspi_raw_at(raw, i) - aspi_raw_at(raw, i - 1));
     if (step > least && step < s.quantum)

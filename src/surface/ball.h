@@ -35,8 +35,7 @@ typedef struct aspi_ball_search {
 aspi_ball_search aspi_ball_begin(const aspi_ball *ball);
 aspi_touch aspi_ball_at(aspi_ball_search *search, double x, double y);
 
-/* One center, at the point in that column and row; `sampled`: on the points alone, without what is
- * between them. */
+/* Center height over one grid point. sampled: use grid points only, no interpolation. */
 aspi_touch aspi_ball_touch(const aspi_ball *ball, size_t column, size_t row, bool sampled);
 
 #endif

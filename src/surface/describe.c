@@ -6,6 +6,7 @@
 #include "surface/describe.h"
 #include "base/error.h"
 #include "surface/profile.h"
+#include "base/tolerances.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -16,9 +17,6 @@
 
 /* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
 #define SPACINGS_LEAST 1.5
-
-/* Heights smaller than this part of the largest coordinate are rounding. */
-#define ROUNDING 1e-13
 
 static void describe_heights(const asp_profile *profile, aspi_profile_description *d) {
   const double *z = asp_profile_heights(profile);
@@ -88,7 +86,7 @@ asp_code aspi_profile_describe(const asp_profile *profile, double level,
   describe_heights(profile, &d);
   if (!isfinite(d.r_q) || !isfinite(d.slope_rms))
     return aspi_fail(error, ASP_EDATA, "the profile's heights are too large to work with");
-  if (!(d.r_q > ROUNDING * fabs(asp_profile_heights(profile)[0])))
+  if (!(d.r_q > ASPI_ROUNDING_DOUBLE * fabs(asp_profile_heights(profile)[0])))
     return aspi_fail(error, ASP_EDATA, "the profile is constant");
   double *covariance = autocovariance(profile, d.r_q);
   if (!covariance)

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/least_squares.h"
 #include "surface/profile.h"
+#include "base/tolerances.h"
 
 #include <gsl/gsl_statistics_float.h>
 #include <math.h>
@@ -15,9 +16,6 @@
 #include <string.h>
 
 enum { TILE_MOST = 1024, DIRECTIONS = 180 };
-
-/* Heights smaller than this part of the largest are rounding. */
-#define ROUNDING 1e-6
 
 static void describe_heights(const asp_map *map, asp_map_numbers *d) {
   const float *z = map->heights;
@@ -224,7 +222,7 @@ static asp_code describe_lengths(const asp_map *map, asp_map_numbers *d, asp_err
 asp_code asp_map_describe(const asp_map *map, asp_map_numbers *numbers, asp_error *error) {
   asp_map_numbers d = {0};
   describe_heights(map, &d);
-  if (!(d.s_q > ROUNDING * fmax(d.s_p, d.s_v)))
+  if (!(d.s_q > ASPI_ROUNDING_SINGLE * fmax(d.s_p, d.s_v)))
     return aspi_fail(error, ASP_EDATA, "the map is constant");
   d.s_dq = gradient_rms(map);
   asp_code code = describe_lengths(map, &d, error);

@@ -28,8 +28,7 @@ double aspi_closed_form(double kappa);
 /* The slope that a sphere meets over that of a disc, on a wall without a lay. */
 double aspi_sphere_over_disc(double kappa);
 
-/* Sets the correlation length by which asp_surface_face_length goes, where it is not lambda_c; 0:
- * none, the faces are as long as the particle. */
+/* Sets the correlation length that gives the face length. 0: faces as long as the particle. */
 void aspi_surface_set_feature(asp_surface *surface, double lambda_c);
 
 /* A copy; NULL when out of memory. */

@@ -13,6 +13,7 @@
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 #include "surface/size_table.inc"
+#include "base/tolerances.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,7 +109,7 @@ static asp_code check_numbers(double r_q, double lambda_c, double phi_r_most, as
   if (aspi_check_length(error, "r_q", r_q) || aspi_check_length(error, "lambda_c", lambda_c))
     return ASP_EARG;
   double phi_r = r_q / lambda_c;
-  if (phi_r <= phi_r_most * (1 + 1e-12))
+  if (phi_r <= phi_r_most * (1 + ASPI_ROUNDING_DOUBLE))
     return ASP_OK;
   return aspi_fail(error, ASP_ERANGE,
                    "phi_r = r_q/lambda_c is %g; the size law of a wall %s lay "
@@ -255,7 +256,7 @@ double asp_surface_uncertainty(const asp_surface *surface) {
 }
 
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error) {
-  if (d_p >= 0 && d_p <= surface->d_p_most * (1 + 1e-12))
+  if (d_p >= 0 && d_p <= surface->d_p_most * (1 + ASPI_ROUNDING_DOUBLE))
     return ASP_OK;
   return aspi_fail(error, ASP_ERANGE,
                    "d_p is %g; the size law of this wall (r_q %g, lambda_c %g) reaches to %g", d_p,

@@ -16,7 +16,7 @@
 #include "wall/body.h"
 
 /* The turn of the sliding in one stretch (rad), and the share of its speed that it may lose. */
-#define TURN 0.02
+#define TURN_MOST 0.02
 #define LOSS 0.2
 
 /* Sliding that turns less than this, per what changes its speed, keeps its direction; sliding of
@@ -109,7 +109,7 @@ static bool slide(path *at) {
       at->u_b = ended ? at->u_b : 0;
       return ended;
     }
-    double dp = speed * fmin(TURN / fmax(turn, 0.5 * most), LOSS / fabs(along));
+    double dp = speed * fmin(TURN_MOST / fmax(turn, 0.5 * most), LOSS / fabs(along));
     for (int j = 0; j < 3; j++) {
       double m_a = at->u_a + 0.5 * dp * (k->am - mu * k->a * s_a);
       double m_b = at->u_b + 0.5 * dp * (k->bm - mu * k->b * s_b), length = hypot(m_a, m_b);

@@ -62,7 +62,7 @@ asp_wall *aspi_wall_create(const aspi_wall_choice *choice, asp_error *error);
 /* Makes a wall anew, in place; on error it stays as it was. */
 asp_code aspi_wall_remake(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error);
 
-/* Takes over the law, its parameters, deposits and erosion of a choice; the rest stays. */
+/* Replaces the law, deposit and erosion settings; keeps the surface and its tables. */
 asp_code aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error);
 
 #endif

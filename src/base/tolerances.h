@@ -1,0 +1,16 @@
+/* What counts as rounding, as a part of the numbers at hand. C and C++.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_BASE_TOLERANCES_H
+#define ASP_BASE_TOLERANCES_H
+
+/* Of numbers that went through a text or a sum of many: files have 6 to 9 digits. */
+#define ASPI_ROUNDING_TEXT 1e-9
+
+/* Of numbers in double precision after a few operations: they have 16 digits. */
+#define ASPI_ROUNDING_DOUBLE 1e-12
+
+/* Of heights of a map, which are in single precision: they have 7 digits. */
+#define ASPI_ROUNDING_SINGLE 1e-6
+
+#endif
