@@ -119,8 +119,8 @@ refuses 2 "one file or two" -- compare
 refuses 2 "no.csv" -- compare no.csv d.csv
 refuses 2 "no.csv" -- compare gt.csv no.csv
 printf 'angle,cor_n\n30,0.5\n' > bad.csv; refuses 2 "'alpha1' is missing" "angle cor_n" -- compare gt.csv bad.csv
-printf 'alpha1_deg,restitution\n30,0.5\n' > bad.csv; refuses 2 "neither points nor means" -- compare gt.csv bad.csv
-printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both points and means" -- compare gt.csv bad.csv
+printf 'alpha1_deg,restitution\n30,0.5\n' > bad.csv; refuses 2 "neither impacts nor means" -- compare gt.csv bad.csv
+printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both impacts and means" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n\n30,0.5\n40 0.6\n' > bad.csv; refuses 2 "bad.csv:3" "1 fields" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n\n120,0.5\n' > bad.csv; refuses 2 "bad.csv:2" "0 to 90" -- compare gt.csv bad.csv
 bad() { printf '%b' "$1" > bad.csv; shift; refuses 2 bad.csv "$@" -- compare gt.csv bad.csv; }
