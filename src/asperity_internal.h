@@ -328,6 +328,10 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
  * rho_g is the gas_density, l the mean_free_path, W the work. */
 bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
 
+/* Bytes of a struct, by its name without asp_, for a caller that lays it out by itself: body,
+ * coefficients, error, impact, key, lay, particle, question. 0 for another name. */
+size_t asp_struct_size(const char *name);
+
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif

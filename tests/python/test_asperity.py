@@ -3,11 +3,13 @@ command is $ASPERITY_BIN/asperity.
 
 SPDX-License-Identifier: GPL-3.0-or-later"""
 
+import doctest
 import os
 import subprocess
 import tempfile
 import threading
 import unittest
+import unittest.mock
 import warnings
 from pathlib import Path
 
@@ -36,6 +38,15 @@ class Walls(unittest.TestCase):
     def refused(self, text, call, *arguments, **keywords):
         with self.assertRaisesRegex(asperity.Error, text):
             call(*arguments, **keywords)
+
+    def test_examples_of_the_docstrings(self):
+        result = doctest.testmod(asperity)
+        self.assertGreaterEqual(result.attempted, 8)
+        self.assertEqual(result.failed, 0)
+
+    def test_a_library_with_other_structs_is_refused(self):
+        with unittest.mock.patch.dict(asperity._STRUCTS, key=asperity.BODY):
+            self.assertRaisesRegex(ImportError, "another asp_key", asperity._load)
 
     def test_the_command_has_the_same_impacts(self):
         """Each column of a ledger, to the ten digits that the command prints."""

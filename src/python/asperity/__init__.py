@@ -65,9 +65,12 @@ _IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capp
 _COEFFICIENTS = _struct("v1 f8, alpha1 f8, v2 f8, alpha2 f8, cor_v f8, cor_alpha f8, cor_n f8, "
                         "cor_v_space f8, cor_alpha_space f8, cor_t f8")
 
+_STRUCTS = {"body": BODY, "coefficients": _COEFFICIENTS, "impact": _IMPACT, "key": _KEY,
+            "particle": _PARTICLE, "question": _QUESTION, "error": _Failure, "lay": _Lay}
+
 _P, _S, _N, _D, _E = c_void_p, c_char_p, c_size_t, c_double, POINTER(_Failure)
 _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
-    "version": (_S,), "key_wall": (ctypes.c_uint32, _S),
+    "version": (_S,), "struct_size": (_N, _S), "key_wall": (ctypes.c_uint32, _S),
     "description_parse": (_P, _S, _P, _E), "description_free": (None, _P),
     "description_text": (_N, _P, _P, _N), "description_get": (_D, _P, _S),
     "description_word": (_S, _P, _S), "description_lay": (_Lay, _P),
@@ -94,6 +97,11 @@ def _load() -> ctypes.CDLL:
     for name, (result, *arguments) in _SIGNATURES.items():
         function = getattr(library, "asp_" + name)
         function.restype, function.argtypes = result, arguments
+    for name, layout in _STRUCTS.items():
+        size = layout.itemsize if isinstance(layout, np.dtype) else ctypes.sizeof(layout)
+        if library.asp_struct_size(name.encode()) != size:
+            raise ImportError(f"{library._name} has another asp_{name} than the module: build or "
+                              "install both anew")
     return library
 
 
@@ -136,12 +144,32 @@ def _whole(name: str, values: ArrayLike, most: int) -> NDArray[np.uint64]:
 class Wall:
     """A wall that is ready for impacts.
 
-    words: what a script says of it, as "surface rq 5um lambda_c 40um rebound walton 0.9 0.3 0".
-    d_p: the diameters that it will meet, of which the least and the greatest count (m); measured
-        walls need them.
-    heights, step, periodic: for `surface profile NAME` heights along a line and their spacing, for
-        `surface map NAME` heights in rows and their spacing (step_x, step_y), in place of the file.
-    name: walls of different names draw different numbers with the same seed.
+    Parameters
+    ----------
+    words : str
+        The description, as in a script: "surface rq 5um lambda_c 40um rebound walton 0.9 0.3 0".
+    d_p : array_like
+        Diameters that it will meet (m), of which the least and the greatest count. Measured walls
+        need them.
+    heights : array_like, optional
+        In place of the file of `surface profile NAME` heights along a line, of `surface map NAME`
+        heights in rows (m).
+    step : array_like
+        Spacing of the heights (m); of a map also (step_x, step_y).
+    periodic : bool
+        The heights begin anew behind their end.
+    name : str
+        Walls of different names draw different numbers with the same seed.
+
+    Examples
+    --------
+    >>> wall = Wall("surface rq 5um lambda_c 40um rebound walton 0.9 0.3 0")
+    >>> wall
+    Wall('surface rq 5e-06 lambda_c 4e-05 spread visible isotropic collisions multiple rebound \
+walton 0.9 0.3 0 deposit freeze seed 1')
+    >>> hits = wall.impacts(velocities(100, np.radians([10, 45])), d_p=10e-6)
+    >>> hits["outcome"]
+    array([0, 0], dtype=int32)
     """
 
     def __init__(self, words: str, d_p: ArrayLike = 0, *, heights: ArrayLike | None = None,
@@ -194,6 +222,9 @@ class Wall:
             if text.value:
                 yield text.value.decode()
 
+    def __repr__(self) -> str:
+        return f"Wall({self.text!r})"
+
     @property
     def text(self) -> str:
         """The canonical words: another wall of them is the same wall."""
@@ -223,14 +254,36 @@ class Wall:
                 lay: ArrayLike | None = None, temperature: ArrayLike = 0, u_tau: ArrayLike = 0,
                 body: NDArray[np.void] | None = None, tag: ArrayLike | None = None,
                 impact: ArrayLike = 1, seed: int | None = None) -> NDArray[np.void]:
-        """One impact for each velocity v1 (n, 3); an array of asp_impact, by columns: v2, omega,
-        delta_alpha, tilt_out, hits, capped, outcome (0 rebound, 1 deposit), eroded.
+        """One impact for each velocity.
 
-        All else is one value, or one for each impact, as in asp_particle and asp_key: d_p (m),
-        outward unit normals, density (that of the first material), angular velocity, direction of
-        the lay, temperature (K) and friction velocity (0: those of the words), bodies in place of
-        spheres (arrays of the type BODY), tag of the particle (1 to n) and number of its impact.
-        The same tag, impact and seed draw the same numbers.
+        Parameters
+        ----------
+        v1 : array_like, (n, 3)
+            Velocities before the impact, relative to the wall (m/s). All else is one value, or one
+            for each impact, as in asp_particle and asp_key.
+        d_p : array_like
+            Diameters (m).
+        normals : array_like
+            Outward unit normals of the mean wall.
+        density : array_like, optional
+            That of the first material if not given (kg/m3).
+        omega : array_like
+            Angular velocities (rad/s).
+        lay : array_like, optional
+            Direction of the lay.
+        temperature, u_tau : array_like
+            Of the particle (K), and friction velocity of the gas (m/s); 0: those of the words.
+        body : array of BODY, optional
+            Bodies in place of spheres.
+        tag, impact : array_like
+            Number of the particle (1 to n) and of its impact, from 1.
+        seed : int, optional
+            That of the words if not given. The same tag, impact and seed draw the same numbers.
+
+        Returns
+        -------
+        array of asp_impact, by columns
+            v2, omega, delta_alpha, tilt_out, hits, capped, outcome (0 rebound, 1 deposit), eroded.
         """
         v1 = _vectors("v1", v1)
         n = len(v1)
@@ -276,7 +329,24 @@ class Wall:
 
 
 def velocities(speed: ArrayLike, alpha1: ArrayLike) -> NDArray[np.float64]:
-    """Velocities (n, 3) along x onto the wall z = 0, by speed and impact angle (rad)."""
+    """Velocities along x onto the wall z = 0.
+
+    Parameters
+    ----------
+    speed : array_like
+        In m/s.
+    alpha1 : array_like
+        Impact angles from the wall plane (rad), above 0 and up to pi/2.
+
+    Returns
+    -------
+    (n, 3) array of velocities (m/s)
+
+    Examples
+    --------
+    >>> velocities(2, np.radians([30])).round(3)
+    array([[ 1.732,  0.   , -1.   ]])
+    """
     v, alpha = np.broadcast_arrays(np.atleast_1d(speed).astype(float), alpha1)
     _must((v > 0) & (v < np.inf), "speed", v, "> 0 m/s")
     _must((alpha > 0) & (alpha <= np.pi / 2 * (1 + 1e-9)), "alpha1", alpha, "> 0 and <= pi/2 rad")
@@ -285,9 +355,28 @@ def velocities(speed: ArrayLike, alpha1: ArrayLike) -> NDArray[np.float64]:
 
 def coefficients(v1: ArrayLike, impacts: NDArray[np.void],
                  normals: ArrayLike = (0, 0, 1)) -> NDArray[np.void]:
-    """The coefficients of restitution of impacts about the mean wall; an array of
-    asp_coefficients, by columns: v1, alpha1, v2, alpha2, cor_v, cor_alpha, cor_n, cor_v_space,
-    cor_alpha_space, cor_t. Coefficients are nan for deposits, and cor_t at normal impact."""
+    """The coefficients of restitution of impacts about the mean wall.
+
+    Parameters
+    ----------
+    v1, normals : array_like
+        Those of the impacts.
+    impacts : array of asp_impact
+        The result of Wall.impacts.
+
+    Returns
+    -------
+    array of asp_coefficients, by columns
+        v1, alpha1, v2, alpha2, cor_v, cor_alpha, cor_n, cor_v_space, cor_alpha_space, cor_t.
+        Coefficients are nan for deposits, and cor_t at normal impact.
+
+    Examples
+    --------
+    >>> v1 = velocities(10, np.radians([45]))
+    >>> hits = Wall("rebound walton 0.9 0 0 deposit off").impacts(v1, d_p=1e-3)
+    >>> coefficients(v1, hits)["cor_n"].round(3)
+    array([0.9])
+    """
     made, n = np.zeros(len(impacts), _COEFFICIENTS), len(impacts)
     before, up = _vectors("v1", v1, n), _vectors("normals", normals, n)
     after = np.ascontiguousarray(impacts, dtype=_IMPACT)
