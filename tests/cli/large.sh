@@ -19,6 +19,9 @@ grep -v '^#' out | awk -F, 'NR > 1 && $1 == "cor_n" && $3 > 0 && $4 < 90 { n++
 limited compare impacts impacts --bin 0.1 --near 0.0001 > out || die "compare with points"
 [ "$(awk -F, '$1 == "cor_n" && ($8 - $13) ^ 2 < 1e-10 && $10 == $15' out | wc -l)" = 900 ] || die "compare with points: $(head -n 5 out)"
 
+# cor: the memory of a summary does not grow with the impacts
+(ulimit -v 600000; OMP_NUM_THREADS=1 "$asperity" cor surface sigma 5 --angles 30,60 --samples 2000000 --summary -o /dev/null) || die "cor --summary"
+
 # materials and tables
 awk 'BEGIN { print "name,youngs_modulus_pa,poissons_ratio,density_kg_m3"; for (i = 0; i < 1000000; i++) print "m" i ",7e10,0.2,2000" }' > materials
 limited cor materials ard m999999 file materials --angles 45 --samples 2 > out || die "materials"

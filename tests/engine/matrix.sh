@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Grains that stick, rest and fly, at meshes at rest, that move, turn, cross a periodic edge, and travel by several
-# periods; on 1, 2 and 4 ranks; in a run that goes on, and in restarts with the same meshes, with fewer, and with
+# periods; on any number of ranks; in a run that goes on, and in restarts with the same meshes, with fewer, and with
 # another one of the same name. What is stuck goes with its mesh, what rests stays at it, and nothing passes it.
-# All scenes of a number of ranks are one script, with `clear` between them. STEPS=200 CELLS=30 RANKS="1 2 3 4 6 8" matrix.sh
-# is a longer form; beyond, grains leave the plates.
+# All scenes of a number of ranks are one script, with `clear` between them. Arguments: numbers of ranks. `matrix.sh
+# lammps 1 2 3 4 6 8` with STEPS=200 CELLS=30 is a longer form; beyond, grains leave the plates.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 steps=${STEPS:-100} cells=${CELLS:-6} dt=2e-6
@@ -86,7 +86,7 @@ for s in $scenes; do for way in on $ways; do scene "$s" "$way"; done; done > all
 # now FILE: the grains at the end, with what they do: "ID X Y Z VX VY VZ WHAT UP".
 now() { awk 'NR == FNR { what[$1] = $8 " " $9; next } /TIMESTEP/ { n = 0 } NF == 7 && $1 ~ /^[0-9]+$/ { line[++n] = $0 " " what[$1] }
   END { for (k = 1; k <= n; k++) print line[k] }' grains.txt "$1"; }
-for ranks in ${RANKS:-1 2 4}; do
+for ranks in "${@:-1}"; do
   engine $ranks all.in
   for s in $scenes; do
     for way in on $ways; do

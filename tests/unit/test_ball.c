@@ -102,7 +102,7 @@ static void generated_maps_have_their_covariance(void **state) {
 
 static void slopes_follow_the_formula(void **state) {
   (void)state;
-  const double kappa[] = {0.5, 1, 2, 4}, ratio[] = {1, 5};
+  const double kappa[] = {0.5, 2, 4}, ratio[] = {1, 5};
   for (int k = 0; k < 2; k++) {
     double phi = 0.05;
     asp_map *map = gauss(ratio[k], 0, 1 / 16., ratio[k] / 16., 512, 512, phi);
@@ -114,7 +114,7 @@ static void slopes_follow_the_formula(void **state) {
       q[i] = aspi_map_room(512, 512);
     }
     aspi_ball_rows(none, 0, 512, z, p[0], q[0]);
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 3; i++) {
       aspi_ball *ball = aspi_ball_create(map, kappa[i] / (sqrt(3) * phi), NULL);
       if (!ball)
         continue; /* larger than the map */
@@ -161,12 +161,12 @@ static double slope_under(const asp_map *map, double d_p) {
 /* How far the law is off where slopes are steep is as the header has it. */
 static void steep_slopes_are_off_the_law_as_stated(void **state) {
   (void)state;
-  static const double kappa[] = {1, 1.5, 2, 4}, most[] = {-0.03, -0.03, -0.02, 0.02};
+  static const double kappa[] = {1, 4}, most[] = {-0.03, 0.02};
   double phi = 0.25, whole;
   asp_map *map = gauss(1, 0, 1 / 16., 1 / 16., 512, 512, phi);
   asp_surface *surface = asp_surface_create(phi, 1, NULL);
   whole = slope_under(map, 0);
-  for (int i = 0; i < 4; i++) {
+  for (int i = 0; i < 2; i++) {
     double d_p = kappa[i] / (sqrt(3) * phi), law[2], ratio = slope_under(map, d_p) / whole;
     aspi_surface_sphere_slopes(surface, d_p, law);
     double off = law[0] / asp_surface_slope_rms(surface) / ratio - 1;

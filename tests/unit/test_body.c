@@ -239,7 +239,7 @@ static void sticks_as_a_whole(void **state) {
  * x, x exponential of mean 2; energy; they leave. */
 static void eccentric_grains(void **state) {
   (void)state;
-  enum { N = 100000 };
+  enum { N = 30000 };
   double s = 0.02, expected = 0, mean = 0;
   for (int i = 0; i < 1000; i++) {
     double q = 10 * s * s * -2 * log1p(-(i + 0.5) / 1000);

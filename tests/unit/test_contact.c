@@ -16,7 +16,7 @@
 #include "contact/tree.h"
 #include "contact/vector.h"
 
-enum { SAMPLES = 2000, CASES = 3000 };
+enum { SAMPLES = 2000, CASES = 1000 };
 
 static uint32_t state = 12345;
 static double uniform(double lo, double hi) {

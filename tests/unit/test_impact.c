@@ -367,7 +367,7 @@ static void properties(void **state) {
     s.choice.multiple = gsl_rng_uniform_int(rng, 2);
     s.choice.table = table;
     remake(&s);
-    for (uint64_t tag = 0; tag < 250; tag++) {
+    for (uint64_t tag = 0; tag < 100; tag++) {
       double alpha = M_PI_2 * pow(10, -15 * gsl_rng_uniform(rng));
       double v = pow(10, -9 + 14 * gsl_rng_uniform(rng)), turn = 6.3 * gsl_rng_uniform(rng);
       double n[3] = {sin(turn), 0, cos(turn)}, v1[3];

@@ -27,7 +27,7 @@ static void check(double value) {
 
 static void any_bits(void **state) {
   (void)state;
-  for (int i = 0; i < 200000; i++) {
+  for (int i = 0; i < 60000; i++) {
     uint64_t bits = next();
     double value;
     memcpy(&value, &bits, sizeof value);
@@ -37,7 +37,7 @@ static void any_bits(void **state) {
 
 static void usual_magnitudes(void **state) {
   (void)state;
-  for (int i = 0; i < 300000; i++) {
+  for (int i = 0; i < 100000; i++) {
     double value = pow(10, -20 + 60 * (double)(next() >> 11) / 9007199254740992.0);
     check(i % 2 ? value : -value);
   }
