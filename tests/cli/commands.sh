@@ -91,47 +91,27 @@ done
 # bad usage
 refuses 2 "--help" --
 refuses 2 "'sprad'" "did you mean 'spread'" -- sprad
-refuses 2 "'corr'" "did you mean 'cor'" -- corr
 refuses 2 "--sgima" "unknown" -- spread --sgima 10
 refuses 2 "--sampels" "did you mean '--samples'" -- spread --sampels 10
 refuses 2 "'--sigma' is a word of the description" "surface sigma ANGLE" -- cor --sigma 5
 refuses 2 "'sigma' belongs behind 'surface'" "surface sigma ANGLE" -- cor sigma 5
 refuses 2 "'rebound' has no effect" "surface spread seed" -- spread surface sigma 10 rebound bons
-refuses 2 "sigma is missing" -- spread surface sigma
 refuses 2 "needs a value" -- spread --dp
-refuses 2 "'extra'" -- spread surface sigma 10 --samples 9 extra
 refuses 2 "--dp LENGTH is missing" -- spread surface rq 5um lambda_c 40um
-refuses 2 "'wiebull'" weibull truncated -- spread surface sigma 10 spread wiebull
-refuses 2 "sigma is 95" "0.001 to 54" -- spread surface sigma 95
-refuses 2 "sigma is nan" -- spread surface sigma nan
 refuses 2 "--angles is 91" "0 to 90 deg" -- spread surface sigma 10 --angles 91
 refuses 2 "'20-40'" "from:to:step" -- cor surface sigma 5 --angles 20-40
 refuses 2 "--dp is -10um; it must" -- cor surface sigma 5 --dp -10um
 refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 --speed 0
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
-refuses 2 "rq is '5ft'" "um" -- spread surface rq 5ft lambda_c 40um --dp 1um
-refuses 2 "rq is -5um" "> 0" -- cor surface rq -5um lambda_c 40um
-refuses 2 "surface is 'lambda_c'" "rq R lambda_c L" -- cor surface lambda_c 40um
-refuses 2 "oka is '1.8' without a unit" "1.8 Pa" -- cor erosion oka 1.8 density 7800
-refuses 2 "yield_stress is '200' without a unit" -- cor yield_stress 200
 refuses 2 "rq is '5' without a unit" "5um" -- cor surface rq 5 lambda_c 40um
-refuses 2 "rq is '5s'" "unit must be one of: m cm mm um nm" -- cor surface rq 5s lambda_c 40um
 refuses 2 "--dp is '5,10um' without a unit" "'5' would be 5 m" -- cor --dp 5,10um
-refuses 2 "rq is '2um,5' without a unit" -- surface surface rq 2um,5 lambda_c 40um
 refuses 2 "'--pdf' takes no value" -- spread surface sigma 5 --pdf=3
-refuses 2 "'surfac'" "did you mean 'surface'" -- cor materials quartz 304-ss surfac rq 5um
-refuses 2 "materials has 1 name" "two" -- cor materials quartz
 refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5
-refuses 2 "'unobtainium'" "hastelloy-x" -- cor materials ard unobtainium
 refuses 2 "min < median < max" "from:to:step" -- cor --dp lognormal:1um:10um:100um
-refuses 2 "'bouncy'" "bons" -- cor rebound bouncy
-refuses 2 "unit must be one of: m cm mm um nm" -- cor --dp 5ft
 refuses 2 "a list is a,b,c or from:to:step" -- cor --dp 1um:5um
 refuses 2 "0 to 90" -- cor --angles 5:95:5
-refuses 2 "'surface_energy' has no effect" "walton" -- cor rebound walton 0.9 0.3 0 surface_energy 0.1
 refuses 2 "'x.npy'" ".csv" -- cor -o x.npy
 refuses 2 "--title is given without --plot" -- cor --title A
-refuses 2 "'round'" -- cor surface sigma 3 spread visible round
 refuses 2 "--angles" "more than 0" -- cor --angles 0
 refuses 2 "no density" -- spread --pdf
 refuses 2 ".png, .svg or .pdf" -- spread surface sigma 10 --plot picture.bmp
@@ -146,11 +126,8 @@ cor() { "$asperity" cor "$@" --samples 400 --angles 20 | grep -v '^#\|^dp'; }
 mean() { awk -F, -v k="$1" '{ s += $k } END { print s / NR }'; }
 a=$(cor surface sigma 10.026 --dp 4um | mean 8) b=$(cor surface rq 5um lambda_c 40um --dp 4um | mean 8)
 awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || die "sigma: $a, by its numbers $b"
-refuses 2 "'rq' has no place here" -- cor surface sigma 10 rq 5um lambda_c 40um
-refuses 2 nowhere.csv -- cor surface profile nowhere.csv
 [ "$(cor surface sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
 cor surface sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
-refuses 2 --speed 'min < median < max' -- cor surface sigma 10 --speed lognormal:10:20:50
 # Per angle mean, sd and capture share, of the same impacts; by flux as many as sin alpha1 has them.
 "$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 > all
 "$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 --summary > means

@@ -88,7 +88,6 @@ grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few 
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
 refuses 2 --gaps 'does not apply to' -- surface surface rq 5um lambda_c 40um --gaps fill
 refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --points 8192
-refuses 2 "rq is '5'" 'without a unit' -- surface surface rq 5 lambda_c 40um
 
 # Lists of walls: a row per wall and diameter, the seed of each one more than that before.
 "$asperity" surface surface rq 2um,5um lambda_c 40um:80um:40um seed 4 --dp 10um,50um --points 8192 > many
@@ -111,12 +110,9 @@ rows d | awk -F, '{ d = $6 / (sqrt(2) * $4 * (1 + 0.92 * $5 ^ 3) ^ (-1 / 6)) - 1
 head -c 8 s.png | grep -q PNG && [ "$(wc -c < s.png)" -gt 10000 ] || die "surface --plot"
 
 # Bad usage.
-refuses 2 "one of these is expected: lambda_c L" -- surface surface rq 5um
-refuses 2 "surface is 'smooth'" -- surface
 refuses 2 "surface is 'sigma'" -- surface surface sigma 10
 refuses 2 "'friction' has no effect" -- surface surface rq 5um lambda_c 40um friction 0.3
 refuses 2 "'bend' is unknown" x_column -- surface surface profile profile.csv --read 'bend 3'
-refuses 2 'rq is -5um' '> 0' -- surface surface rq -5um lambda_c 40um
 refuses 2 --dp '--dp is -10um' -- surface surface rq 5um lambda_c 40um --dp -10um
 refuses 2 --gaps bend refuse fill -- surface surface profile profile.csv --gaps bend
 refuses 2 --form 12 '0 to 9' -- surface surface profile profile.csv --form 12
@@ -125,8 +121,6 @@ refuses 2 --points 100 4096 -- surface surface rq 5um lambda_c 40um --points 100
 refuses 2 --dp 'reaches to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
 "$asperity" spread surface rq 20um lambda_c 40um --dp 2mm --angles 20 -o x 2> err && die "spread beyond the table"
 grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)"
-refuses 2 phi_r 'reaches to 1' -- cor surface rq 50um lambda_c 40um spread truncated
-refuses 2 rq furlong nm -- surface surface rq 2furlong lambda_c 40um
 refuses 2 --dp 0.1um 0.5um -- surface surface profile waves.csv --dp 0.1um
 refuses 2 d_p "profile's length" -- surface surface profile waves.csv --dp 1m
 refuses 2 nowhere.csv 'No such file' -- surface surface profile nowhere.csv

@@ -65,20 +65,10 @@ for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map 
 done
 grep -q '# description, .* surface map map spread profile ' fit || die "calibrate surface map: the description: $(cat fit)"
 
-echo 'alpha1_deg,cor_n,cor_t' > data; echo '30,0.5,0.6' >> data
-for both in "sigma 3 rq 1um" "profile plateau map map"; do
-  for command in cor spread trade; do refuses 2 'has no place here' -- $command surface $both --dp 5um; done
-done
-for command in cor spread trade; do
-  refuses 2 "'nowhere'" 'No such file' -- $command surface profile nowhere --dp 5um
-  refuses 2 "one of these is expected: lambda_c L" -- $command surface rq 5um --dp 5um
-done
 refuses 2 "'surface' is missing" -- trade --dp 5um
 refuses 2 'has no density on a map' -- spread surface map map --dp 5um --pdf
 refuses 2 "'lay' is given" "plane of incidence" -- trade surface rq 5um lambda_c 40um 80um lay 90 --dp 5um
 refuses 2 "'surface map' is given" -- trade surface map map --dp 5um
 refuses 2 'it must be even' -- trade surface profile short --dp 5um --ensemble 5
 refuses 2 'the least that pieces of this wall can judge' -- trade surface profile short --dp 5um --angles 1,2
-refuses 2 '--pdf is given with --summary' -- spread surface sigma 3 --pdf --summary
-refuses 2 "--samples is '1.5'" -- spread surface sigma 3 --samples 1.5
 exit 0

@@ -343,6 +343,11 @@ static void bad_values_are_named(void **state) {
   refuses("rebound constant 1.5 1", "cor_n is 1.5", "0 to 1");
   refuses("rebound constant 1", "cor_t", "missing");
   refuses("rebound bons contact_area 1 1", "c is missing", "");
+  refuses("rebound bons contact_area 1 1 11", "c is 11", "0 to 10");
+  refuses("rebound bons scatter 1", "'scatter' is unknown", "yield_rate");
+  refuses("grain cube", "grain is 'cube'", "sphere or lever S");
+  refuses("grain lever 0", "lever is 0", "0 to 0.5");
+  refuses("rebound walton 0.9 0.2 0.4 grain lever 0.03", "BETA0 0", "");
   refuses("rebound bons spin fast", "spin is 'fast'", "off on");
   refuses("rebound bons temperature 500F", "'500F'", "K C");
   refuses("rebound table nowhere.csv", "nowhere.csv", "No such file");
