@@ -814,7 +814,13 @@ void asperity::claim_bodies(const Walls &walls, Bodies &bodies, MPI_Comm world) 
     for (size_t b = 0; b < tags.size() && bodies.begins; b++)
       if (wall->body_rows.is_stuck(static_cast<int>(b))) {
         const Mover mover(bodies, b);
-        const BodySphere &one = mover.anchor(wall->body_rows.stuck(mover.i));
+        Stuck &at = wall->body_rows.stuck(mover.i);
+        const BodySphere &one = mover.anchor(at);
+        if (!(at.shape >= 1)) { /* it stays where it is before the engine moves it */
+          arm_of(bodies.all[b], one, at.at);
+          aspi_add_scaled(at.at, 1, bodies.all[b].x, at.at);
+          memcpy(at.axes, bodies.all[b].axes, sizeof at.axes);
+        }
         wall->bodies.let_go(wall->setup, mover.i, one.type, one.radius);
       }
     wall->bodies.list(bodies.bounds());

@@ -20,8 +20,6 @@ using namespace asperity;
  * periodic image that is nearest to `near`. */
 static void follow(const Stepper &wall, Stuck &at, const double near[3], double radius, double left,
                    double dt, bool is_body, double x[3]) {
-  if (!(fabs(at.at[0]) <= HUGE_VAL)) /* its shape is gone: it stays here */
-    aspi_copy(near, at.at);
   if (at.shape >= 1) {
     const Shape &shape = *wall.setup.shapes[static_cast<size_t>(at.shape) - 1].shape;
     Place place = {static_cast<int>(at.piece), {at.at[0], at.at[1], at.at[2]}};
@@ -75,11 +73,8 @@ void Stepper::renumber(const std::vector<int> &shape_now, MoverState &state, Mem
                ? shape_now[static_cast<size_t>(saved) - 1]
                : 0;
   };
-  for (Stuck &at : memory.stuck) {
+  for (Stuck &at : memory.stuck)
     at.shape = now(at.shape);
-    if (!(at.shape >= 1))
-      at.at[0] = NAN;
-  }
   for (Rest &rest : memory.rests)
     rest.shape = now(rest.shape);
   memory.rests.erase(std::remove_if(memory.rests.begin(), memory.rests.end(),
@@ -230,8 +225,6 @@ static void carry(Stepper &wall, Bodies &bodies, int i, double left) {
   double now[3], arm[3], x[3], off[3];
   arm_of(body, one, now);
   aspi_add_scaled(now, 1, body.x, now);
-  if (!(fabs(at.at[0]) <= HUGE_VAL))
-    memcpy(at.axes, body.axes, sizeof at.axes);
   follow(wall, at, now, one.radius, left, bodies.dt, true, x);
   body.is_changed = body.is_changed || memcmp(body.axes, at.axes, sizeof at.axes) != 0;
   memcpy(body.axes, at.axes, sizeof at.axes);
