@@ -319,6 +319,35 @@ void flow_takes_bodies_by_their_spheres(void **) {
   }
 }
 
+/* A body that was stuck to a wall which is gone is held where it is at the beginning of the run,
+ * before forces move it. */
+void bodies_of_no_wall_stay(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> wall = floor_of(engine, "rebound constant 1 1 deposit freeze");
+  Bodies bodies;
+  Body body = Body();
+  body.count = 1;
+  body.mass = body.inertia[0] = body.inertia[1] = body.inertia[2] = 1;
+  body.axes[0][1] = body.axes[1][2] = body.axes[2][0] = 1;
+  body.x[2] = 3;
+  bodies.all.push_back(body);
+  bodies.spheres = {BodySphere{{0.5, 0, 0}, 0.1, 1, 1, 1}};
+  bodies.begins = false;
+  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+  wall->stepper.body_rows.set_status(0, Status::STUCK);
+  Stuck &at = wall->stepper.body_rows.stuck(0);
+  at = Stuck();
+  at.sphere = 1;
+  bodies.begins = true;
+  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+  const double held[3] = {0, 0.5, 3};
+  assert_memory_equal(at.at, held, sizeof held);
+  bodies.all[0].x[2] -= 0.1;
+  wall->stepper.carry_stuck(bodies);
+  assert_float_equal(bodies.all[0].x[2], 3, 1e-15);
+  assert_memory_equal(bodies.all[0].axes, body.axes, sizeof body.axes);
+}
+
 /* A memory comes back as it was packed, its body finds it by its tag, and a wrong one is refused.
  */
 static void memories_come_back(void **) {
@@ -375,6 +404,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(idle_walls_are_doubted),
       cmocka_unit_test(memories_come_back),
       cmocka_unit_test(flow_takes_bodies_by_their_spheres),
+      cmocka_unit_test(bodies_of_no_wall_stay),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
