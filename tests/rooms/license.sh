@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-patterns=$(sed -n 's/^Files: //p' .reuse/dep5)
+patterns=$(sed -n 's/^Files: //p' .reuse/dep5 | grep -vx '\*') # the first, of all files, is for their copyright
 stated() { # whether dep5 names the file
   local pattern
   set -f

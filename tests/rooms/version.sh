@@ -11,6 +11,7 @@ says() { # FILE VERSION
   [ "$2" = "$version" ] || { echo "FAILED: $1 says version '$2'; in src/asperity.h it is '$version'"; bad=1; }
 }
 says .github/CHANGELOG.md "$(sed -n 's/^## //p' .github/CHANGELOG.md | head -n 1)"
+says codemeta.json "$(sed -n 's/^ *"version": "\(.*\)",$/\1/p' codemeta.json)"
 says CITATION.cff "$(sed -n 's/^version: //p' CITATION.cff)"
 says src/python "$(sed -n 's/^__version__ = "\(.*\)"$/\1/p' src/python/asperity/__init__.py)"
 released=$(sed -n 's/^date-released: //p' CITATION.cff)
@@ -18,5 +19,6 @@ dated() { # FILE DATE FORMAT
   local wanted; wanted=$(LC_ALL=C date -d "$released" "+$3")
   [ "$2" = "$wanted" ] || { echo "FAILED: $1 is dated '$2'; by CITATION.cff it is '$wanted'"; bad=1; }
 }
+dated codemeta.json "$(sed -n 's/^ *"dateModified": "\(.*\)",$/\1/p' codemeta.json)" %F
 dated .github/paper.md "$(sed -n 's/^date: //p' .github/paper.md)" '%-d %B %Y'
 exit $bad
