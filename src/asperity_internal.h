@@ -89,13 +89,13 @@ const asp_keyword *asp_keyword_at(int index);
 
 /* ---- files of measured walls ----------------------------------------------------------------- */
 /* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
- * or spaces; after any header), or SDF in ASCII (ISO 25178-71). A text file must state its unit in
- * the last lines of its header (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, `unit:
- * um`), or the reader must be given it; the same lines say which columns are positions and heights,
- * where there are more. Positions may be rounded: the spacing comes from all of them. They may
- * fall, and repeat themselves (heights are averaged); what follows the data is left out. Columns X
- * and Y beside the heights give the distance along a straight line. A column named depth or Tiefe
- * counts downward and is turned over. */
+ * or spaces; after any header), or SDF in ASCII (ISO 25178-71). The names right above the numbers
+ * state columns and units (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, or units in
+ * a line of their own below the names), or the reader must be given them; two columns without names
+ * are positions and heights. Positions may be rounded: the spacing comes from all of them. They may
+ * fall, and repeat themselves (heights are averaged); the reader ignores text after the data.
+ * Columns X and Y beside the heights give the distance along a straight line. A column named depth
+ * or Tiefe counts downward and is turned over. */
 typedef struct asp_reader asp_reader;
 asp_reader *asp_reader_create(asp_error *error);
 void asp_reader_free(asp_reader *reader);

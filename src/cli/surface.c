@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/plot.h"
 #include "cli/surface.h"
+#include "base/error.h"
 #include "base/units.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
@@ -58,40 +59,26 @@ static void take_steps(const cli_option *value, aspi_profile_options *read) {
 /* Takes the value of a word of --read, or of --filter; false: there is no such word. */
 static bool take_word(const char *word, bool filters, const cli_option *value,
                       aspi_profile_options *read) {
-  const struct {
-    const char *name;
-    bool filters;
-    int *whole;
-    double *length;
-    const char **text;
-  } all[] = {{"row", false, &read->row, NULL, NULL},
-             {"column", false, &read->column, NULL, NULL},
-             {"x_column", false, NULL, NULL, &read->x_column},
-             {"z_column", false, NULL, NULL, &read->z_column},
-             {"tip", true, NULL, &read->filters.tip, NULL},
-             {"lambda_s", true, NULL, &read->filters.lambda_s, NULL},
-             {"cutoff", true, NULL, &read->filters.cutoff, NULL}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (filters == all[i].filters && strcmp(word, all[i].name) == 0) {
-      if (all[i].whole)
-        *all[i].whole = (int)cli_whole(value, 1, 1000000);
-      else if (all[i].length)
-        *all[i].length = cli_length(value);
-      else
-        *all[i].text = value->value;
-      return true;
-    }
-  if (filters)
+  const char *numbers = filters ? "tip lambda_s cutoff" : "row column missing";
+  asp_error error;
+  if (aspi_word_index(numbers, word, strlen(word), true) >= 0) {
+    double number = filters                        ? cli_length(value)
+                    : strcmp(word, "missing") == 0 ? cli_number(value, -1e300, 1e300)
+                                                   : (double)cli_whole(value, 1, 1000000);
+    cli_must(!aspi_profile_options_set(read, word, number, &error), &error);
+  } else if (filters) {
     return false;
-  if (strcmp(word, "spacing") == 0)
+  } else if (strcmp(word, "x_column") == 0) {
+    read->x_column = value->value;
+  } else if (strcmp(word, "z_column") == 0) {
+    read->z_column = value->value;
+  } else if (strcmp(word, "spacing") == 0) {
     read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
-  else if (strcmp(word, "step") == 0)
+  } else if (strcmp(word, "step") == 0) {
     take_steps(value, read);
-  else if (strcmp(word, "missing") == 0)
-    read->missing = cli_number(value, -1e300, 1e300);
-  else
+  } else {
     return false;
-  read->has_missing = read->has_missing || strcmp(word, "missing") == 0;
+  }
   return true;
 }
 

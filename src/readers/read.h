@@ -41,6 +41,10 @@ typedef struct aspi_profile_options {
  * row of a map, heights in the second column of a text file. */
 aspi_profile_options aspi_profile_options_default(void);
 
+/* Sets an option by name; see asp_reader_set. */
+asp_code aspi_profile_options_set(aspi_profile_options *options, const char *name, double value,
+                                  asp_error *error);
+
 /* Findings and repairs of the reader. */
 typedef struct aspi_profile_report {
   size_t spikes;      /* points taken for spikes */

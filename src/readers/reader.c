@@ -59,16 +59,17 @@ static const char *name_at(int index) {
   return options[index].name;
 }
 
-asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error) {
+asp_code aspi_profile_options_set(aspi_profile_options *to, const char *name, double value,
+                                  asp_error *error) {
   int i = aspi_find_name("option of a reader", name, (int)(sizeof options / sizeof *options),
                          name_at, error);
   if (i < 0)
     return ASP_ENAME;
   const struct option *o = &options[i];
-  void *member = (char *)&reader->options + o->at;
-  bool is_missing = member == (void *)&reader->options.missing;
+  void *member = (char *)to + o->at;
+  bool is_missing = member == (void *)&to->missing;
   if (is_missing && isnan(value)) {
-    reader->options.has_missing = false;
+    to->has_missing = false;
     return ASP_OK;
   }
   if (aspi_check_range(error, o->name, "", value, o->least, o->most))
@@ -81,8 +82,12 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
     *(int *)member = (int)value;
   else
     *(bool *)member = value > 0;
-  reader->options.has_missing = reader->options.has_missing || is_missing;
+  to->has_missing = to->has_missing || is_missing;
   return ASP_OK;
+}
+
+asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error) {
+  return aspi_profile_options_set(&reader->options, name, value, error);
 }
 
 asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {

@@ -56,43 +56,6 @@ static asp_code read_key(aspi_text *text, sdf *h, bool *ends, asp_error *error) 
   return ASP_OK;
 }
 
-static asp_code check_counts(const aspi_text *text, const sdf *h, asp_error *error) {
-  const struct {
-    const char *key;
-    double value;
-  } counts[] = {{"NumPoints", h->points}, {"NumProfiles", h->profiles}};
-  for (size_t i = 0; i < 2; i++) {
-    double value = counts[i].value;
-    if (isnan(value))
-      return aspi_text_fail(text, text->line, error, "the header ends without %s", counts[i].key);
-    if (!(value >= 1 && value <= 1e12) || value > floor(value))
-      return aspi_text_fail(text, text->line, error, "%s is %g; a whole number from 1 is expected",
-                            counts[i].key, value);
-  }
-  return ASP_OK;
-}
-
-static asp_code check_scales(const aspi_text *text, const sdf *h, asp_error *error) {
-  const struct {
-    const char *key;
-    double value;
-    bool needed;
-  } scales[] = {{"Xscale", h->x_scale, true},
-                {"Yscale", h->y_scale, h->profiles > 1},
-                {"Zscale", h->z_scale, true}};
-  for (size_t i = 0; i < 3; i++) {
-    if (scales[i].needed && isnan(scales[i].value))
-      return aspi_text_fail(text, text->line, error, "the header ends without %s", scales[i].key);
-    if (scales[i].needed && !(scales[i].value > 0))
-      return aspi_text_fail(text, text->line, error, "%s is %g; a number > 0 is expected",
-                            scales[i].key, scales[i].value);
-  }
-  if (h->compression > 0)
-    return aspi_text_fail(text, text->line, error, "Compression is %g; only 0 can be read",
-                          h->compression);
-  return ASP_OK;
-}
-
 static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
   *h = (sdf){NAN, NAN, NAN, NAN, NAN, 0, -1};
   for (bool ends = false, version = true, found; !ends;) { /* the version stands first */
@@ -108,8 +71,7 @@ static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
     if (code)
       return code;
   }
-  asp_code code = check_counts(text, h, error);
-  return code ? code : check_scales(text, h, error);
+  return ASP_OK;
 }
 
 /* ---- binary ---- */
@@ -270,25 +232,33 @@ static asp_code check_options(const char *path, const aspi_profile_options *opti
   return ASP_OK;
 }
 
-static asp_code check_map(const char *path, const sdf *h, asp_error *error) {
-  const double side_most = ASP_MAP_SIDE_MOST;
+/* Checks the numbers of a header, in ASCII where type is -1. */
+static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_error *error) {
+  const double least = is_map ? ASP_MAP_SIDE_LEAST : 1, most = is_map ? ASP_MAP_SIDE_MOST : 1e12;
   const struct {
-    const char *name;
+    const char *key;
     double value, least, most;
-  } all[] = {{"NumPoints", h->points, ASP_MAP_SIDE_LEAST, side_most},
-             {"NumProfiles", h->profiles, ASP_MAP_SIDE_LEAST, side_most},
-             {"Xscale", h->x_scale, 1e-15, 1e9},
-             {"Yscale", h->y_scale, 1e-15, 1e9},
-             {"Zscale", h->z_scale, 1e-300, 1e300}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (!(all[i].value >= all[i].least && all[i].value <= all[i].most))
-      return aspi_fail(error, ASP_EDATA, "%.200s: %s is %g; it must be %g to %g", path, all[i].name,
-                       all[i].value, all[i].least, all[i].most);
-  if (h->compression > 0)
-    return aspi_fail(error, ASP_EDATA, "%.200s: Compression is %g; only 0 can be read", path,
-                     h->compression);
-  if (h->type >= TYPES)
-    return aspi_fail(error, ASP_EDATA, "%.200s: DataType is %d; it must be 0 to 7", path, h->type);
+    bool whole;
+  } all[] = {{"NumPoints", h->points, least, most, true},
+             {"NumProfiles", h->profiles, least, most, true},
+             {"Xscale", h->x_scale, 1e-15, 1e9, false},
+             {"Yscale", h->profiles > 1 ? h->y_scale : 1, 1e-15, 1e9, false},
+             {"Zscale", h->z_scale, 1e-300, 1e300, false},
+             {"Compression", h->compression, 0, 0, true},
+             {"DataType", h->type < 0 ? 0 : h->type, 0, TYPES - 1, true}};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    double value = all[i].value;
+    char what[120];
+    if (value >= all[i].least && value <= all[i].most && !(all[i].whole && value > floor(value)))
+      continue;
+    if (isnan(value))
+      snprintf(what, sizeof what, "the header ends without %s", all[i].key);
+    else
+      snprintf(what, sizeof what, "%s is %g; it must be %g to %g%s", all[i].key, value,
+               all[i].least, all[i].most, all[i].whole ? ", a whole number" : "");
+    return h->type < 0 ? aspi_text_fail(text, text->line, error, "%s", what)
+                       : aspi_fail(error, ASP_EDATA, "%.200s: %s", text->path, what);
+  }
   return ASP_OK;
 }
 
@@ -298,8 +268,8 @@ asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options 
   asp_code code = check_options(text->path, options, error);
   if (!code)
     code = binary ? read_binary_header(text, &h, error) : read_text_header(text, &h, error);
-  if (!code && raw->is_map)
-    code = check_map(text->path, &h, error);
+  if (!code)
+    code = check(text, &h, raw->is_map, error);
   if (code)
     return code;
   bool by_column = options->column > 0;
