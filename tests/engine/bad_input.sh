@@ -53,19 +53,15 @@ all_refused() {
 }
 number=0
 
-refuses "$plane rebound bons soften 800 0.001" "" soften temperature
 refuses "$plane surfaces smooth" "" "'surfaces'" "surface" "ledger"
 refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-3 lay axial" "" "lay is an angle" "X Y Z"
 refuses "all wall/rebound primitive type 2 zcylinder 1e-3 0 0 surface rq 1e-5 lambda_c 1e-4 1e-3 lay 1 0 0" "" "lay is a vector" "axial"
-refuses "$plane surface rq 1e-5 lambda_c 1e-4 1e-6 lay 1 0 0" "" "phi_r" "reaches to 0.25"
 refuses "$plane ledger 0" "" "ledger is 0" "1 to"
 refuses "$plane ledger 10 rows.csv" "" "behind 'ledger', 'file rows.csv' is expected"
 refuses "$plane ledger 10 file /nowhere/at/all.csv" "" "/nowhere/at/all.csv" "No such file"
 refuses "$mesh" "run_style respa 2 2" "respa"
 refuses "$plane
 minimize 0 0 1 1" "" "minimize"
-refuses "$plane rebound grant_tabakoff scatter 1 surface rq 1e-5 lambda_c 1e-4" "" "twice" "scatter_twice"
-refuses "$plane rebound table nowhere.csv" "" "nowhere.csv" "No such file"
 printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nbrass,1e11,0.35,8500\n' > brass.csv
 refuses "$plane materials" "" "materials has 0 names" "2 atom types"
 refuses "$plane materials quartz surface smooth" "" "materials has 1 names" "2 atom types"
@@ -73,7 +69,6 @@ refuses "$plane columns full ledger 10" "" "'columns' belongs behind 'ledger'"
 refuses "$plane materials quartz quartz hastelloy-x file ../brass.csv" "" "materials has 3 names" "2 atom types"
 refuses "$plane deposit delete remove gas_density 1.2" "" "'u_tau U' is expected"
 refuses "$plane materials quartz kryptonite file ../brass.csv" "" "'kryptonite'" "hastelloy-x" "brass"
-refuses "$plane materials quartz brass file nowhere.csv" "" "nowhere.csv" "No such file"
 refuses "$plane materials hastelloy-x quartz" "" "'hastelloy-x'" "type 1" "no yield stress" "yield_rate"
 . "$here/bad_input_$simulator.sh"
 all_refused

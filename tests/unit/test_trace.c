@@ -102,7 +102,7 @@ static void paths_agree_with_brute_force(void **state) {
   aspi_track_enter(track, 0.5, &path);
   aspi_track_next(track, ASP_PI / 2, &path, &zero);
   double shift = path.z - h[path.face] - (path.x - (double)path.face) * line.slope[path.face];
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < 5000; i++) {
     double delta, alpha = 0.2 + 1.3 * gsl_rng_uniform(rng);
     aspi_track_enter(track, gsl_rng_uniform_pos(rng), &path);
     assert_true(aspi_track_next(track, alpha, &path, &delta));
@@ -245,7 +245,7 @@ static void discs_roll_over_curves(void **state) {
 enum { ACROSS_FINE = 1024 };
 
 static asp_profile *plateau(double lambda_c, int across) {
-  enum { N = 1 << 19 };
+  enum { N = 1 << 18 };
   double r_q = lambda_c / 8;
   asp_profile *gauss = asp_profile_create(r_q, lambda_c, 1. / ACROSS_FINE, N, 3, NULL);
   size_t step = (size_t)(ACROSS_FINE / across), n = N / step;
