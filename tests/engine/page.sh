@@ -50,6 +50,14 @@ awk -v kind=$kind '/^```/ { if (text ~ "atom_style +" kind) printf "%s", text; t
 if grep WARNING readme.screen; then die "the script of README.md warns"; fi
 grep -qE '^ +600 +2795 +2800 +60 *$' readme.screen || die "the script of README.md has other impacts"
 
+# So does the script of the page of clumps: its text block with "atom_style KIND", beside the molecule's file.
+page_of_clumps=$here/../../src/wall/bodies.md
+awk '/^```/ { if (text ~ "Diameters") printf "%s", text; text = ""; next } { text = text $0 "\n" }' "$page_of_clumps" > dumbbell.mol
+awk -v kind=$kind '/^```/ { if (text ~ "atom_style +" kind) printf "%s", text; text = ""; next } { text = text $0 "\n" }' \
+  "$page_of_clumps" | sed 's/^run .*/run 4000/' > clumps.in
+"$bin/$simulator-asperity" -in clumps.in -log none > clumps.screen 2>&1 || die "the script of clumps: $(tail -n 3 clumps.screen)"
+grep -E '^ +4000 +400 ' clumps.screen | awk '{ exit !($3 >= 100) }' || die "the script of clumps has other impacts"
+
 # The words that the fix knows are those of the tables.
 wall='mesh n_meshes 1 meshes blade'
 [ $simulator = liggghts ] || wall='stl blade.stl'
