@@ -9,14 +9,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <algorithm>
-#include <memory>
-#include <string>
-#include <vector>
 
+#include "alone.h"
 #include "contact/vector.h"
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
-#include "dem/wall.h"
 
 using namespace asperity;
 
@@ -29,45 +26,6 @@ double uniform(double lo, double hi) {
   state = state * 6364136223846793005ULL + 1442695040888963407ULL;
   return lo + (hi - lo) * static_cast<double>(state >> 11) / 9007199254740992.0;
 }
-
-class Alone : public Engine {
-public:
-  MPI_Comm world() const override {
-    return MPI_COMM_WORLD;
-  }
-  std::string id() const override {
-    return "wall";
-  }
-  std::string units() const override {
-    return "si";
-  }
-  std::string known_units() const override {
-    return "si";
-  }
-  int types() const override {
-    return 1;
-  }
-  int dimension() const override {
-    return 3;
-  }
-  double time() const override {
-    return 0;
-  }
-  void warn(const std::string &) const override {}
-  void print(const std::string &) const override {}
-  bool constants(const char *, bool, std::vector<double> &) const override {
-    return false;
-  }
-  std::string how_to_state(const char *, bool, const std::string &) const override {
-    return "";
-  }
-  void diameters(double &least, double &most) const override {
-    least = most = DIAMETER;
-  }
-  std::vector<Kind> kinds() const override {
-    return std::vector<Kind>(1, Kind{true, 1, 1});
-  }
-};
 
 /* A sphere of 20 * 4^levels triangles, each node at a radius of its own, or all at one. */
 std::vector<ContactTriangle> ball(int levels, double least, double most) {
@@ -153,18 +111,13 @@ struct Room {
 
 bool run(Room &room, double diameters, double impacts) {
   const Alone engine;
-  Wall wall(engine);
-  const char *words[] = {"rebound", "constant", "1", "1", "deposit", "off"};
-  Words command(6, words);
-  for (std::unique_ptr<Shape> &shape : room.shapes)
-    wall.add_shape(std::move(shape), 1, room.mesh ? room.triangles.size() : 0, "room");
-  wall.parse(command, "");
-
+  const bool tube = room.shapes.size() == 1;
+  std::unique_ptr<Wall> wall = make_wall(engine, std::move(room.shapes),
+                                         "rebound constant 1 1 deposit off", room.triangles.size());
   const int n = 400;
   const double dt = diameters * DIAMETER / SPEED;
-  std::vector<double> x(3 * n), v(3 * n), f(3 * n, 0.), radius(n, DIAMETER / 2), mass(n, 1.);
-  std::vector<double> state(n * Wall::N_STATE, 0.);
-  std::vector<int> mask(n, 1), type(n, 1), tag(n);
+  Grains grains(n, DIAMETER / 2, dt);
+  std::vector<double> &x = grains.x, &v = grains.v;
   for (int i = 0; i < n; i++) {
     double *at = &v[3 * i];
     for (int d = 0; d < 3; d++) {
@@ -172,41 +125,28 @@ bool run(Room &room, double diameters, double impacts) {
       at[d] = uniform(-1, 1);
     }
     aspi_scale(SPEED / aspi_length(at), at);
-    tag[i] = i + 1;
   }
-  Spheres s = {0,        dt,       n,    mask.data(), type.data(), tag.data(),    4,
-               x.data(), v.data(), NULL, f.data(),    NULL,        radius.data(), mass.data()};
-  const Box box = {{0, 0, 0}, {0, 0, 0}};
-  wall.init(0, dt);
-  wall.set_rows(state.data());
-  wall.stepper.rows.grow(n);
-  wall.begin_run(s, 1, box);
-  const std::vector<Wall *> walls(1, &wall);
+  grains.begin({wall.get()});
   int lost = 0;
   double worst = 0;
-  for (s.step = 1; wall.books.counter(Books::N_IMPACTS) < impacts && s.step < 1e8; s.step++) {
+  for (int step = 1; wall->books.counter(Books::N_IMPACTS) < impacts && step < 100000000; step++) {
     if (room.mesh && (room.turn > 0 || room.swing > 0)) {
-      const double phase = 0.3 * static_cast<double>(s.step);
+      const double phase = 0.3 * step;
       Twist twist;
       twist.angular[2] = room.turn / dt;
       twist.linear[2] = room.swing * 0.3 / dt * cos(phase);
-      room.mesh->motion().advance(
-          turned(room.turn * static_cast<double>(s.step), room.swing * sin(phase)), twist, dt);
+      room.mesh->motion().advance(turned(room.turn * step, room.swing * sin(phase)), twist, dt);
     }
-    for (int i = 0; i < 3 * n; i++)
-      x[i] += v[i] * dt;
-    Wall::step(walls, s);
-    Wall::hold(walls, s);
+    grains.fly(1);
     for (int i = 0; i < n; i++) {
       double body[3];
       aspi_copy(&x[3 * i], body);
       if (room.mesh) {
         room.mesh->motion().end().to_local(&x[3 * i], body);
-        lost += s.step % 16 == 0 && !inside(room.triangles, body);
+        lost += step % 16 == 0 && !inside(room.triangles, body);
       } else if (room.half > 0)
         lost += !(aspi_dot(body, body) < 1e30) || std::max(hypot(body[0], body[1]), 0.0) > 1e30 ||
-                (room.shapes.size() == 1 ? hypot(body[0], body[1]) > room.half
-                                         : fabs(body[2]) > room.half);
+                (tube ? hypot(body[0], body[1]) > room.half : fabs(body[2]) > room.half);
       worst = std::max(worst, fabs(aspi_length(&v[3 * i]) / SPEED - 1));
     }
     /* Moving walls heat what they hold: keep the speeds, so that a step stays what it is. */
@@ -216,7 +156,7 @@ bool run(Room &room, double diameters, double impacts) {
   const bool moves = room.turn > 0 || room.swing > 0;
   const bool good = lost == 0 && (moves || worst < 1e-9);
   printf("%-26s %5.1f diameters a step: %9.0f impacts, %.0f guarded, %d outside%s\n", room.name,
-         diameters, wall.books.counter(Books::N_IMPACTS), wall.books.counter(Books::N_GUARDED),
+         diameters, wall->books.counter(Books::N_IMPACTS), wall->books.counter(Books::N_GUARDED),
          lost, good ? "" : "  FAILED");
   if (!moves && !(worst < 1e-9))
     printf("  a speed is off by %g\n", worst);
