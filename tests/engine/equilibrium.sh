@@ -26,12 +26,7 @@ communicate single vel yes
 read_data gas.data
 neighbor 2e-5 bin
 neigh_modify delay 0 exclude group all all
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-fix m4 all property/global coefficientFriction peratomtypepair 1 0
-pair_style gran model hertz tangential history
-pair_coeff * *
+$(springs 0)
 fix move all nve/sphere"
   for plane in xlo xhi ylo yhi zlo zhi; do
     place=0; [[ $plane == *lo ]] || place=1e-3

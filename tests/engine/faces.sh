@@ -19,12 +19,7 @@ slope() {
   echo "read_data grains.data
 neighbor $1 bin
 neigh_modify delay 0 exclude group all all
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
+$(springs)
 fix move all nve/sphere
 thermo 1000000"
 }

@@ -3,14 +3,7 @@
 # whose contacts are cut off with a warning and leave the grain in the box.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
-stl > box.stl << END
--0.05 -0.05 -0.05  0.05 -0.05 -0.05  0.05 0.05 -0.05  -0.05 0.05 -0.05
--0.05 -0.05 0.05  0.05 -0.05 0.05  0.05 0.05 0.05  -0.05 0.05 0.05
--0.05 -0.05 -0.05  -0.05 0.05 -0.05  -0.05 0.05 0.05  -0.05 -0.05 0.05
-0.05 -0.05 -0.05  0.05 0.05 -0.05  0.05 0.05 0.05  0.05 -0.05 0.05
--0.05 -0.05 -0.05  0.05 -0.05 -0.05  0.05 -0.05 0.05  -0.05 -0.05 0.05
--0.05 0.05 -0.05  0.05 0.05 -0.05  0.05 0.05 0.05  -0.05 0.05 0.05
-END
+cube 0.05 | stl > box.stl
 { soft "-0.1 0.1 -0.1 0.1 -0.1 0.1" 0 1 | sed 's/^boundary .*/boundary p p p/; s/^atom_modify .*/atom_modify map array sort 0 0/'
   printf '1 0.01 0 0 2e5 1e5 1.7e5\n2 0.08 0.08 0.08 1 0 0\n' | put 0.001
   echo "fix box all mesh/surface file box.stl type 1

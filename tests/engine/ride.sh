@@ -124,14 +124,7 @@ fi
 # A room of LAMMPS that turns with a grain that is pressed against its walls.
 [ $simulator = lammps ] || exit 0
 for wall in "region room" "stl room.stl move rotate 0 0 0 0 0 1 7.5"; do
-  stl > room.stl << END
--6 -6 -6  6 -6 -6  6 6 -6  -6 6 -6
--6 -6 6  6 -6 6  6 6 6  -6 6 6
--6 -6 -6  -6 6 -6  -6 6 6  -6 -6 6
-6 -6 -6  6 6 -6  6 6 6  6 -6 6
--6 -6 -6  6 -6 -6  6 -6 6  -6 -6 6
--6 6 -6  6 6 -6  6 6 6  -6 6 6
-END
+  cube 6 | stl > room.stl
   echo "units si
 atom_style sphere
 boundary f f f

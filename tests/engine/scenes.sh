@@ -16,10 +16,17 @@ region box block $1 units box
 create_box 1 box
 neighbor 0.002 bin
 neigh_modify delay 0
+END
+  springs "${2:-}" "${3:-}"
+}
+
+# springs [FRICTION RESTITUTION]: what holds soft grains of one type apart.
+springs() {
+  cat << END
 fix m1 all property/global youngsModulus peratomtype 5e6
 fix m2 all property/global poissonsRatio peratomtype 0.3
-fix m3 all property/global coefficientRestitution peratomtypepair 1 ${3:-0.9}
-fix m4 all property/global coefficientFriction peratomtypepair 1 ${2:-0.3}
+fix m3 all property/global coefficientRestitution peratomtypepair 1 ${2:-0.9}
+fix m4 all property/global coefficientFriction peratomtypepair 1 ${1:-0.3}
 pair_style gran model hertz tangential history
 pair_coeff * *
 END
@@ -45,6 +52,18 @@ stl() {
   awk 'function vertex(k) { print "vertex", $(3 * k + 1), $(3 * k + 2), $(3 * k + 3) }
     function facet(a, b, c) { print "facet normal 0 0 0\nouter loop"; vertex(a); vertex(b); vertex(c); print "endloop\nendfacet" }
     BEGIN { print "solid s" } { facet(0, 1, 2); if (NF > 9) facet(0, 2, 3) } END { print "endsolid s" }'
+}
+
+# cube HALF: a closed box about the origin, for stl.
+cube() {
+  sed "s/-/-$1/g; s/+/$1/g" << END
+- - -  + - -  + + -  - + -
+- - +  + - +  + + +  - + +
+- - -  - + -  - + +  - - +
++ - -  + + -  + + +  + - +
+- - -  + - -  + - +  - - +
+- + -  + + -  + + +  - + +
+END
 }
 
 # meshes: hopper.stl, drum.stl with four lifters, and box.stl, which is open above.
