@@ -35,7 +35,8 @@ install(FILES src/cli/asperity.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-co
 
 # Pages and examples in the folders that they have here, so that their links hold.
 file(GLOB_RECURSE _pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} src/*.md src/*.rst
-  src/*.png src/*.svg cmake/*.md .github/*.md tests/bench/*.md)
+  src/*.png src/*.svg cmake/*.md .github/*.md tests/bench/*.md
+  tests/sweep/*.md)
 foreach(_page IN LISTS _pages ITEMS README.md LICENSE CITATION.cff)
   get_filename_component(_folder ${_page} DIRECTORY)
   install(FILES ${_page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${_folder})
