@@ -9,7 +9,7 @@ source "$(dirname "$0")/cli.sh"
 gives() { # PAGE COMMAND AWK [EDIT]
   local text words command
   text=$(tr -s '\n ' '  ' < "$root/$1")
-  grep -qF -- "\`asperity $2\`" <<< "$text" || die "$1 has no asperity $2"
+  grep -qF -- "asperity $2" <<< "$text" || die "$1 has no asperity $2"
   command=$(sed "s/ --plot [^ ]*//; ${4:-}" <<< "$2")
   words=$(cd "$root" && eval "'$asperity' $command" 2> /dev/null | awk -F, "$3")
   [ -n "$words" ] && grep -qF -- "$words" <<< "$text" || die "$1 has no '$words', which is what asperity $command gives"
@@ -50,3 +50,9 @@ edit="s/sigma 5/sigma 10/; s/dnv/oka 1.8GPa/"
 (cd "$root" && eval "'$asperity' $(sed "$edit; s/tilted/mean/" <<< "$wear")") 2> /dev/null > mean.csv
 gives $page "$wear" 'BEGIN { while ((getline < "'"$work"'/mean.csv") > 0) if (/^[0-9]/) mean[$3] = $11 }
   /^[0-9]/ { printf "%s%.2f", $3 == 2 ? "`oka` 10° | " : " | ", $11 / mean[$3] }' "$edit"
+
+page=src/wall/from_a_drawing.md
+cor="cor surface ra 4um rdq 3deg materials quartz hastelloy-x --dp 20um --angles 10,45 --samples 20000 --summary"
+four='/^[0-9]/ { printf " | %.3f | %.3f", $7, $9 }'
+gives $page "$cor" "$four"
+gives $page "$cor" "$four" 's/3deg/15deg/'
