@@ -23,9 +23,6 @@ const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
 /* The factor by which changes shrink, at most. */
 const double SHRINKS = 0.98;
 
-/* Dimensionless determinants below this count as 0: then two contacts are solved by sweeps. */
-const double REGULAR = 1e-6;
-
 /* Adds an impulse per mass at a contact. */
 inline void push(const Mover &mover, const Support &s, const double p[3], double v[3],
                  double omega[3]) {
@@ -177,157 +174,16 @@ bool sweep(const Mover &mover, const Supports &supports, double v[3], double ome
   return !(left > (mover.is_ball ? DIVERGED : DIVERGED_OF_BODY) * first + TINY * speed);
 }
 
-/* ---- two contacts -----------------------------------------------------------------------------
- */
-
-/* One contact as if it were alone. False if the other one would be approached then. */
-bool solve_alone(const Mover &mover, Support &s, Support &other, double v[3], double omega[3]) {
-  double u[3], v_after[3], omega_after[3];
-  slip(mover, s, v, omega, u);
-  impulse(s, u, s.p);
-  aspi_copy(v, v_after);
-  aspi_copy(omega, omega_after);
-  push(mover, s, s.p, v_after, omega_after);
-  aspi_subtract(v_after, other.w, u);
-  if (-aspi_dot(u, other.n) > CONVERGED * aspi_length(s.p))
-    return false;
-  aspi_copy(v_after, v);
-  aspi_copy(omega_after, omega);
-  other.p[0] = other.p[1] = other.p[2] = 0;
-  return true;
-}
-
-/* Two contacts without friction. */
-bool solve_smooth(Support &a, Support &b, double v[3]) {
-  double u[3];
-  const double cosine = aspi_dot(a.n, b.n), det = 1 - cosine * cosine;
-  aspi_subtract(v, a.w, u);
-  const double approach_a = -aspi_dot(u, a.n);
-  aspi_subtract(v, b.w, u);
-  const double approach_b = -aspi_dot(u, b.n);
-  const double p_a = approach_a - cosine * approach_b, p_b = approach_b - cosine * approach_a;
-  if (a.friction > 0 || b.friction > 0 || a.hold > 0 || b.hold > 0 || !(det > REGULAR) || p_a < 0 ||
-      p_b < 0)
-    return false;
-  for (int d = 0; d < 3; d++) {
-    a.p[d] = p_a / det * a.n[d];
-    b.p[d] = p_b / det * b.n[d];
-    v[d] += a.p[d] + b.p[d];
-  }
-  return true;
-}
-
-/* Narrows the numbers lo to hi to those for which the impulse p + number * by at this contact is
- * within the cone of friction. by.n must be positive. */
-bool narrow(const Support &s, const double p[3], const double by[3], double &lo, double &hi) {
-  const double p_n = aspi_dot(p, s.n), by_n = aspi_dot(by, s.n);
-  const double factor = 1 + s.friction * s.friction;
-  const double a = aspi_dot(by, by) - factor * by_n * by_n,
-               b = aspi_dot(p, by) - factor * p_n * by_n, c = aspi_dot(p, p) - factor * p_n * p_n;
-  const double square = b * b - a * c;
-  if (!(square > 0) || !(fabs(a) > REGULAR))
-    return false;
-  const double root = sqrt(square), one = (-b - root) / a, two = (-b + root) / a;
-  if (a < 0) /* beyond the larger root, where the normal impulse is positive */
-    lo = std::max(lo, std::max(one, two));
-  else {
-    if (p_n + 0.5 * (one + two) * by_n < 0)
-      return false;
-    lo = std::max(lo, one);
-    hi = std::min(hi, two);
-  }
-  return lo <= hi;
-}
-
-/* Two contacts where the sphere slides at neither. Its surface has the wall's velocity at both, so
- * that it can only turn about the line through them. Of impulses that push both contacts apart
- * along that line there may be any number: the least that friction allows are taken. With s = r
- * omega, m and h half the sum and half the difference of the normals, P the sum of the impulses and
- * D half their difference, the two conditions on the surface and the balances are
- *
- *   v' = (w1 + w2)/2 + s' x m,   h x s' = (w1 - w2)/2,   P = v' - v,   s' - s = -5/2 (m x P + 2 h x
- * D)
- */
-bool solve_sticking(const Mover &mover, Support &a, Support &b, double v[3], double omega[3]) {
-  const double radius = mover.sphere->radius;
-  double m[3], h[3], w[3], dw[3], s[3], e[3], after[3], p[3], turn[3], across[3], apart[3];
-  for (int d = 0; d < 3; d++) {
-    m[d] = 0.5 * (a.n[d] + b.n[d]);
-    h[d] = 0.5 * (a.n[d] - b.n[d]);
-    w[d] = 0.5 * (a.w[d] + b.w[d]);
-    dw[d] = 0.5 * (a.w[d] - b.w[d]);
-  }
-  const double square = aspi_dot(h, h), half = sqrt(square);
-  if (!(square > REGULAR) || a.hold > 0 || b.hold > 0)
-    return false;
-  aspi_cross(dw, h, s);
-  aspi_scale(1 / square, s); /* across h; the part along it, by the balance along h: */
-  aspi_cross(h, m, e);
-  aspi_scale(1 / half, e);
-  aspi_cross(s, m, after);
-  aspi_add_scaled(after, 1, w, after);
-  aspi_subtract(after, v, p);
-  const double spin =
-      (radius * aspi_dot(omega, h) / half - 2.5 * aspi_dot(e, p)) / (1 + 2.5 * aspi_dot(m, m));
-  aspi_add_scaled(s, spin / half, h, s);
-  aspi_add_scaled(p, spin, e, p);
-  aspi_add_scaled(s, -radius, omega, turn);
-  aspi_cross(m, p, across);
-  aspi_add_scaled(across, 0.4, turn, across);
-  aspi_cross(across, h, apart);
-  aspi_scale(-0.5 / square, apart);
-  double p_a[3], p_b[3], back[3], lo = -HUGE_VAL, hi = HUGE_VAL;
-  for (int d = 0; d < 3; d++) {
-    p_a[d] = 0.5 * p[d] + apart[d];
-    p_b[d] = 0.5 * p[d] - apart[d];
-    back[d] = -h[d];
-  }
-  if (!narrow(a, p_a, h, lo, hi) || !narrow(b, p_b, back, lo, hi))
-    return false;
-  aspi_add_scaled(p_a, lo, h, a.p);
-  aspi_add_scaled(p_b, lo, back, b.p);
-  /* Walls that part or close along the line, too, leave no such solution. */
-  double u_a[3], u_b[3], v_after[3], omega_after[3];
-  aspi_add_scaled(v, 1, p, v_after);
-  aspi_copy(s, omega_after);
-  aspi_scale(1 / radius, omega_after);
-  slip(mover, a, v_after, omega_after, u_a);
-  slip(mover, b, v_after, omega_after, u_b);
-  if (aspi_dot(u_a, u_a) + aspi_dot(u_b, u_b) > CONVERGED * CONVERGED * aspi_dot(p, p))
-    return false;
-  aspi_copy(v_after, v);
-  aspi_copy(omega_after, omega);
-  return true;
-}
-
-/* Up to two contacts of a ball in closed form, where there is one. */
-bool solve_few(const Mover &mover, const Supports &supports, double v[3], double omega[3]) {
-  Support &a = supports.first[0];
-  if (supports.count == 1) {
-    double u[3];
-    slip(mover, a, v, omega, u);
-    impulse(a, u, a.p);
-    push(mover, a, a.p, v, omega);
-    return true;
-  }
-  if (supports.count > 2)
-    return false;
-  Support &b = supports.first[1];
-  double p_a[3], p_b[3];
-  aspi_copy(a.p, p_a);
-  aspi_copy(b.p, p_b);
-  if (solve_alone(mover, a, b, v, omega) || solve_alone(mover, b, a, v, omega) ||
-      solve_smooth(a, b, v) || solve_sticking(mover, a, b, v, omega))
-    return true;
-  aspi_copy(p_a, a.p);
-  aspi_copy(p_b, b.p);
-  return false;
-}
-
 bool solve(const Mover &mover, const Supports &supports, double v[3], double omega[3]) {
   double v_free[3], omega_free[3];
-  if (mover.is_ball && solve_few(mover, supports, v, omega))
+  if (mover.is_ball && supports.count == 1) {
+    double u[3];
+    Support &only = supports.first[0];
+    slip(mover, only, v, omega, u);
+    impulse(only, u, only.p);
+    push(mover, only, only.p, v, omega);
     return true;
+  }
   for (Support &s : supports)
     if (!mover.is_ball)
       find_response(mover, s);
