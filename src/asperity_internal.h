@@ -320,13 +320,14 @@ typedef struct asp_valley {
 asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
                            const double along[3], const double n[3], const asp_key *key);
 
-/* True if the shear of a flow along the wall (`deposit freeze remove`) takes a particle away at
- * once that would stick: where its friction velocity is more than u_tau_c,
- *   u_tau_c^2 = C_u W/(rho_g d) (W/(d K_c))^(1/3),
- *   C_u = 1 + Kn (1.2 + 0.41 exp(-0.88/Kn)),  Kn = 2 l/d,  K_c = (4/3) E_c
- * (El-Batsh, by one published code, original not seen). Such a particle rebounds without adhesion.
- * rho_g is the gas_density, l the mean_free_path, W the work. */
-bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle);
+/* The flow along the wall takes a deposit away (`deposit freeze remove`) when the integral of
+ * `rate` over the time since it stuck exceeds `most`: an exponential number, drawn with the
+ * deposit's adhesion by the key. rate 0: there is no flow, or nothing is known of the adhesion. */
+typedef struct asp_removal {
+  double rate, most;
+} asp_removal;
+asp_removal asp_wall_removal(const asp_wall *wall, const asp_particle *particle,
+                             const asp_key *key);
 
 /* Bytes of a struct, by its name without asp_, for a caller that lays it out by itself: body,
  * coefficients, error, impact, key, lay, particle, question. 0 for another name. */

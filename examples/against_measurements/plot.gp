@@ -1,7 +1,7 @@
 # Measurements and what the laws make of them, from the tables of `asperity compare`.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load '../look.gp'
-set term pngcairo size 1080,1500 font 'sans,11'
+set term pngcairo size 1080,1830 font 'sans,11'
 set output 'output/against_measurements.png'
 set datafile separator ','
 set xrange [-2:92]
@@ -16,13 +16,13 @@ gt = 'grant_tabakoff_1975'
 fo = 'forder_1998'
 kh = 'kharaz_2001'
 # Panels in two columns and four rows; one key for the upper two rows, one for Kharaz et al.
-low(row) = 0.755 - 0.222 * row - (row > 1 ? 0.035 : 0)
-panel = 'set lmargin at screen left; set rmargin at screen left + 0.41; set bmargin at screen low(row); set tmargin at screen low(row) + 0.165'
+low(row) = 0.80 - 0.182 * row - (row > 1 ? 0.029 : 0)
+panel = 'set lmargin at screen left; set rmargin at screen left + 0.41; set bmargin at screen low(row); set tmargin at screen low(row) + 0.135'
 set xlabel 'impact angle / degrees' offset 0,0.4
 
 row = 0; left = 0.075
 @panel
-set key at screen 0.52,0.972 center top vertical maxrows 2 width 1 font ',11'
+set key at screen 0.52,0.977 center top vertical maxrows 2 width 1 font ',11'
 set title 'Grant & Tabakoff 1975, sand on Al 2024' noenhanced
 set ylabel 'CoR_N'
 set yrange [0:1.2]
@@ -62,7 +62,7 @@ plot file(fo, 'shipped') using angle:(y('cor_t', column(measured))) with points 
 
 row = 2; left = 0.075
 @panel
-set key at screen 0.53,0.496 center top vertical maxrows 2 width 1 font ',11'
+set key at screen 0.53,0.587 center top vertical maxrows 2 width 1 font ',11'
 set title 'Kharaz et al. 2001, 5 mm alumina on glass' noenhanced
 set yrange [0.5:1.1]
 plot file(kh, 'walton') using angle:(y('cor_t', column(measured))) with points ls data title 'measured', \
@@ -115,4 +115,23 @@ plot 'output/lamarche.measured' using 1:(($0 + 0.5) / n) with steps ls data, \
 0.955,0
 0.955,1
 e
+
+row = 4; left = 0.075
+@panel
+unset label
+set title 'Deposits that a flow leaves after 1 s' noenhanced
+set xlabel 'friction velocity / m s^{-1}'
+set ylabel 'share that remains'
+set logscale x
+set xrange [0.07:6]
+set xtics (0.1, 0.2, 0.5, 1, 2, 5)
+set yrange [0:1.1]
+set key at screen 0.55,screen low(4) + 0.15 left top Left reverse maxrows 6 font ',11'
+gone(set) = 'output/removal.'.set.'.csv'
+plot gone('alumina_10um') using 1:2 with points pt 7 ps 0.8 lc rgb '#d55e00' title 'alumina 10 µm on steel, measured', \
+  '' using 1:3 with lines lw 2 lc rgb '#d55e00' title 'remove, γ 0.56 J/m²', \
+  gone('alumina_20um') using 1:2 with points pt 5 ps 0.8 lc rgb '#5e3c99' title 'alumina 20 µm on steel, measured', \
+  '' using 1:3 with lines lw 2 lc rgb '#5e3c99' title 'remove, γ 0.56 J/m²', \
+  gone('graphite_11um') using 1:2 with points pt 9 ps 0.9 lc rgb '#009e73' title 'graphite 11 µm, measured', \
+  '' using 1:3 with lines lw 2 lc rgb '#009e73' title 'remove, γ 0.15 J/m²'
 unset multiplot

@@ -20,7 +20,7 @@ static const struct {
     {"stress", -1, 1, -2},     {"density", -3, 1, 0},
     {"energy/area", 0, 1, -2}, {"stress/speed", -2, 1, -1},
     {"degrees", 0, 0, 0},      {"K", 0, 0, 0},
-    {"1/K", 0, 0, 0},
+    {"1/K", 0, 0, 0},          {"length2/time", 2, 0, -1},
 };
 
 double aspi_quantity_factor(const char *kind, const asp_units *units) {

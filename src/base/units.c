@@ -29,6 +29,8 @@ static const aspi_unit units[] = {
     {"speed", "cm/s", -2, 1, 0, true},
     {"speed", "mm/s", -3, 1, 0, true},
     {"speed", "km/s", 3, 1, 0, true},
+    {"length2/time", "m2/s m^2/s", 0, 1, 0, true},
+    {"length2/time", "mm2/s mm^2/s", -6, 1, 0, true},
     {"stress", "Pa", 0, 1, 0, true},
     {"stress", "kPa", 3, 1, 0, true},
     {"stress", "MPa", 6, 1, 0, true},

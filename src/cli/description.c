@@ -11,7 +11,7 @@
 
 /* Refuses `rq 15`, which would be 15 m, and `oka 1.8`, which would be 1.8 Pa. */
 static void check_units(int count, char **words) {
-  static const char lengths[] = "rq ra sq lambda_c rsm sampling sal mean_free_path";
+  static const char lengths[] = "rq ra sq lambda_c rsm sampling sal";
   static const char stresses[] = "yield_stress finnie oka";
   for (int i = 0; i + 1 < count; i++) {
     const char *value = strncmp(words[i + 1], "fit=", 4) == 0 ? words[i + 1] + 4 : words[i + 1];

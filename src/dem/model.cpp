@@ -339,9 +339,9 @@ double Model::worn_density(int wall_type) const {
   return asp_material_get(materials_[wall_type - 1], "density");
 }
 
-bool Model::removes(int type, int wall_type, double d_p) const {
+asp_removal Model::removal(int type, int wall_type, double d_p, const asp_key &key) const {
   const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0, NULL};
-  return wall() && asp_wall_removes(wall(), &particle);
+  return asp_wall_removal(wall(), &particle, &key);
 }
 
 bool Model::needs_materials() const {

@@ -72,8 +72,11 @@ public:
   /* Throws an Error if bodies cannot hit this wall. */
   void check_bodies() const;
 
-  /* True if the flow removes a particle of this size that would stick. */
-  bool removes(int type, int wall_type, double d_p) const;
+  /* How the flow takes away a deposit of this size. */
+  bool has_flow() const {
+    return wall() && is_given("remove");
+  }
+  asp_removal removal(int type, int wall_type, double d_p, const asp_key &key) const;
 
   /* The range of diameters that the wall is made for, 0 where it depends on none; it goes into
    * restart files, so that a continued run has the same tables. */

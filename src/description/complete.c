@@ -40,6 +40,11 @@ static bool deposits_off(const asp_description *d, against *with) {
   return d->deposit == ASPI_DEPOSIT_OFF;
 }
 
+static bool keeps_no_deposits(const asp_description *d, against *with) {
+  snprintf(with->text, sizeof with->text, "deposit %s", asp_description_word(d, "deposit"));
+  return d->deposit != ASPI_FREEZE;
+}
+
 static bool yields_by_rate(const asp_description *d, against *with) {
   snprintf(with->text, sizeof with->text, "yield_rate");
   return asp_description_get(d, "yield_rate") > 0;
@@ -79,7 +84,7 @@ static const struct {
              {"temperature", is_not_hot},
              {"yield_stress", without_pair},
              {"yield_stress", yields_by_rate},
-             {"remove", deposits_off},
+             {"remove", keeps_no_deposits},
              {"remove", without_pair}};
 
 /* Refuses the first given word without an effect. */

@@ -111,8 +111,7 @@ static bool sticks_at(const asp_description *d, const asp_particle *particle, do
 double asp_description_capture_speed(const asp_description *d, const asp_particle *particle) {
   double unit = aspi_quantity_factor("speed", &d->units);
   if (!d->choice.law->needs_pair || !particle->pair || !(unit > 0) || !(particle->d_p > 0) ||
-      !(particle->density > 0) || !d->choice.deposit ||
-      aspi_flow_removes(&d->choice.flow, particle))
+      !(particle->density > 0) || !d->choice.deposit)
     return 0;
   double low = SPEED_LEAST * unit, step = pow(SPEED_MOST / SPEED_LEAST, 1 / (SPEEDS - 1.0));
   if (!sticks_at(d, particle, low))

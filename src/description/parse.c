@@ -166,13 +166,13 @@ static asp_code read_erosion(aspi_words *r) {
 static asp_code read_removal(aspi_words *r) {
   aspi_set_given(r->d, "remove");
   asp_code code = aspi_words_check_units(r, "removal is");
-  double joule = aspi_quantity_factor("energy/area", &r->d->units);
-  r->d->choice.flow.work = ASPI_REMOVAL_WORK * joule;
+  r->d->choice.flow.micron = 1e-6 * aspi_quantity_factor("length", &r->d->units);
   bool any;
   if (!code)
     code = aspi_words_values(r, "remove", &any);
-  if (!code && !aspi_is_given(r->d, "gas_density"))
-    code = aspi_fail(r->error, ASP_EARG, "behind 'remove', 'u_tau U gas_density RHO' is expected");
+  if (!code && !(aspi_is_given(r->d, "gas_density") && aspi_is_given(r->d, "gas_viscosity")))
+    code = aspi_fail(r->error, ASP_EARG,
+                     "behind 'remove', 'u_tau U gas_density RHO gas_viscosity NU' is expected");
   return code;
 }
 

@@ -32,8 +32,8 @@ public:
       : PatchInteractionModel<CloudType>(dict, cloud, typeName),
         walls_(std::make_shared<asperity::PatchWalls>(
             cloud.name(), asperity::Gas{cloud.U(), cloud.rho(), cloud.mu()},
-            hasTemperature(static_cast<parcelType *>(nullptr)), cloud.constProps().rho0(), *this)) {
-  }
+            hasTemperature(static_cast<parcelType *>(nullptr)), cloud.constProps().rho0(),
+            cloud.solution().steadyState(), *this)) {}
   /* A cloud in steady state makes a copy at each solution; it has the same walls. */
   virtual autoPtr<PatchInteractionModel<CloudType>> clone() const {
     return autoPtr<PatchInteractionModel<CloudType>>(new asperityWall<CloudType>(*this));
@@ -42,12 +42,50 @@ public:
   virtual void info(Ostream &os) {
     PatchInteractionModel<CloudType>::info(os);
     this->file() << endl;
+    remove();
     walls_->info(os, *this);
   }
 
 private:
+  void remove();
+  asperity::Parcel parcel_at(const parcelType &p, const polyPatch &patch, label face) const;
+
   std::shared_ptr<asperity::PatchWalls> walls_;
 };
+
+/* What flows take away in this time step begins at rest on its face. A parcel that has stuck is on
+ * the face of its tetrahedron. */
+template <class CloudType> void asperityWall<CloudType>::remove() {
+  const polyBoundaryMesh &patches = this->owner().mesh().boundaryMesh();
+  for (parcelType &p : this->owner()) {
+    const label patch = p.active() ? -1 : patches.whichPatch(p.tetFace());
+    const asperity::PatchWall *wall = patch < 0 ? NULL : walls_->at(patch);
+    if (!wall || !wall->has_flow)
+      continue;
+    asperity::Parcel parcel = parcel_at(p, patches[patch], p.tetFace());
+    if (!walls_->removes(parcel))
+      continue;
+    p.active(true);
+    p.U() = vector::zero;
+  }
+}
+
+template <class CloudType>
+asperity::Parcel asperityWall<CloudType>::parcel_at(const parcelType &p, const polyPatch &patch,
+                                                    label face) const {
+  const label step = this->owner().mesh().time().timeIndex();
+  asperity::Parcel parcel = {};
+  parcel.sphere.d_p = p.d();
+  parcel.sphere.density = p.rho();
+  parcel.sphere.temperature = temperature(p, 0);
+  parcel.number = p.nParticle();
+  parcel.key.tag = static_cast<uint64_t>(p.origProc()) << 32 | static_cast<uint32_t>(p.origId());
+  parcel.key.impact = (static_cast<uint32_t>(step) * 2654435761u) & 0x7fffffffu;
+  parcel.step = step;
+  parcel.patch = patch.index();
+  parcel.face = patch.whichFace(face);
+  return parcel;
+}
 
 /* A parcel has no place for the number of its impact. The time stands for it: the time step, and a
  * number of 2^-16 of it, which seldom depends on the number of ranks, though its last digits do; in
@@ -68,18 +106,9 @@ bool asperityWall<CloudType>::correct(parcelType &p, const polyPatch &patch, boo
   const scalar step = solution.transient() ? time.deltaTValue() : solution.trackTime();
   const uint32_t fraction =
       static_cast<uint32_t>(p.stepFraction() * (1 << (solution.transient() ? 16 : 26)));
-  asperity::Parcel parcel = {};
-  parcel.sphere.d_p = p.d();
-  parcel.sphere.density = p.rho();
-  parcel.sphere.temperature = temperature(p, 0);
-  parcel.number = p.nParticle();
-  parcel.key.tag = static_cast<uint64_t>(p.origProc()) << 32 | static_cast<uint32_t>(p.origId());
-  parcel.key.impact =
-      (fraction + static_cast<uint32_t>(time.timeIndex()) * 2654435761u) & 0x7fffffffu;
+  asperity::Parcel parcel = parcel_at(p, patch, p.face());
+  parcel.key.impact = (fraction + parcel.key.impact) & 0x7fffffffu;
   parcel.time = time.value() + (p.stepFraction() - 1) * step;
-  parcel.step = time.timeIndex();
-  parcel.patch = patch.index();
-  parcel.face = patch.whichFace(p.face());
   for (direction k = 0; k < 3; k++) {
     parcel.x[k] = place[k];
     parcel.v1[k] = before[k];

@@ -22,8 +22,7 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
   lay_ = asp_description_lay(words_.get());
   seed_ = static_cast<uint32_t>(asp_description_get(words_.get(), "seed"));
   deletes = strcmp(asp_description_word(words_.get(), "deposit"), "delete") == 0;
-  needs_flow = asp_description_is_given(words_.get(), "remove") &&
-               !asp_description_is_given(words_.get(), "u_tau");
+  has_flow = asp_description_is_given(words_.get(), "remove");
   check(cloud);
   wall_.reset(asp_wall_create(words_.get(), cloud.d_least, cloud.d_most, &wrong));
   const asp_surface *surface = wall_ ? asp_wall_surface(wall_.get()) : NULL;
@@ -47,6 +46,8 @@ void PatchWall::check(const Cloud &cloud) const {
   if (asp_description_needs_sizes(words) && !(cloud.d_least > 0 && cloud.d_most >= cloud.d_least))
     throw Error("a measured wall needs the diameters of the parcels: dMin, which must be more than "
                 "0, and dMax, which must be dMin or more");
+  if (has_flow && cloud.is_steady)
+    throw Error("a cloud in steady state has no time in which 'remove' could take deposits away");
   if (lay_.kind == ASP_LAY_ANGLE)
     throw Error("the lay is an angle, which counts on cylinders only; it must be a vector");
   const bool in_plane = strcmp(asp_description_word(words, "tilt"), "plane") == 0;
@@ -86,6 +87,18 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   std::copy_n(hit.impulse, 3, &row[L::IMPULSE_X]);
   rows.push_back(row);
   return hit;
+}
+
+/* A parcel has no place for what has happened to it, and none is needed: its adhesion has a key
+ * without a time, and the exponential number that ends it can be drawn anew in each step. */
+bool PatchWall::removes(const Parcel &parcel, double dt) const {
+  asp_particle sphere = parcel.sphere;
+  if (asp_description_is_given(words_.get(), "u_tau"))
+    sphere.u_tau = 0;
+  const asp_key adhesion = {seed_, key_, parcel.key.tag, 0},
+                now = {seed_, key_, parcel.key.tag, parcel.key.impact};
+  return asp_wall_removal(wall_.get(), &sphere, &adhesion).rate * dt >
+         asp_wall_removal(wall_.get(), &sphere, &now).most;
 }
 
 std::string PatchWall::heading() const {

@@ -23,7 +23,7 @@ static void fail(const dictionary &dict, const std::string &what) {
 }
 
 PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, double density,
-                       const subModelBase &model)
+                       bool is_steady, const subModelBase &model)
     : mesh_(gas.U.mesh()), gas_(gas), every_(model.coeffDict().getOrDefault<label>("ledger", 0)),
       columns_(model.coeffDict().getOrDefault<Switch>("fullLedger", false)
                    ? LedgerColumn::N_FULL
@@ -35,8 +35,12 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
     if (!wordList({"walls", "dMin", "dMax", "ledger", "fullLedger", "U"}).found(name))
       fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger " +
                        "and fullLedger");
-  const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0), coeffs.getOrDefault<scalar>("dMax", 0),
-                    density, has_temperature, mesh_.nSolutionD() < 3};
+  const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0),
+                    coeffs.getOrDefault<scalar>("dMax", 0),
+                    density,
+                    has_temperature,
+                    mesh_.nSolutionD() < 3,
+                    is_steady};
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
    * and writes words; an impact raises none. */
   fenv_t traps;
@@ -122,7 +126,7 @@ void PatchWalls::open_ledger(PatchWall &wall, const fileName &path, const string
 double PatchWalls::u_tau(const Parcel &parcel) const {
   const fvPatch &patch = mesh_.boundary()[parcel.patch];
   const label face = parcel.face;
-  const vector n(parcel.n[0], parcel.n[1], parcel.n[2]);
+  const vector n = patch.Sf()[face] / patch.magSf()[face];
   const auto at_face = [&](const volScalarField &field) {
     return field.boundaryField()[parcel.patch][face];
   };
@@ -134,11 +138,21 @@ double PatchWalls::u_tau(const Parcel &parcel) const {
   return std::sqrt(nu * patch.deltaCoeffs()[face] * mag(slip - (slip & n) * n));
 }
 
-Hit PatchWalls::hit(Parcel &parcel) {
+bool PatchWalls::removes(Parcel &parcel) {
+  parcel.sphere.u_tau = u_tau(parcel);
+  if (!of_patch_[parcel.patch]->removes(parcel, mesh_.time().deltaTValue()))
+    return false;
+  const double d = parcel.sphere.d_p;
+  const double mass = parcel.number * parcel.sphere.density * ASP_PI / 6 * d * d * d;
+  sums_[parcel.patch * N_SUMS + REMOVED]++;
+  sums_[parcel.patch * N_SUMS + REMOVED_MASS] += mass;
+  deposited_->boundaryFieldRef()[parcel.patch][parcel.face] -= mass;
+  return true;
+}
+
+Hit PatchWalls::hit(const Parcel &parcel) {
   const int patch = parcel.patch, face = parcel.face;
   PatchWall &wall = *of_patch_[patch];
-  if (wall.needs_flow)
-    parcel.sphere.u_tau = u_tau(parcel);
   const Hit hit = wall.hit(parcel, every_ > 0);
   const bool sticks = hit.outcome == ASP_DEPOSIT;
   sums_[patch * N_SUMS + (sticks ? STICK : REBOUND)]++;
@@ -207,7 +221,9 @@ void PatchWalls::info(Ostream &os, subModelBase &model) {
          << "      - rebound                     = " << static_cast<int64_t>(sum[REBOUND]) << ", "
          << sum[REBOUND_MASS] << nl
          << "      - stick                       = " << static_cast<int64_t>(sum[STICK]) << ", "
-         << sum[STICK_MASS] << nl << "      - eroded from the wall (mass) = " << sum[ERODED_MASS]
+         << sum[STICK_MASS] << nl
+         << "      - removed by the flow         = " << static_cast<int64_t>(sum[REMOVED]) << ", "
+         << sum[REMOVED_MASS] << nl << "      - eroded from the wall (mass) = " << sum[ERODED_MASS]
          << nl;
   }
   if (time.writeTime())

@@ -17,10 +17,11 @@
 namespace asperity {
 
 /* Properties of a cloud that the words do not state: diameters, 0 where they are not given; the
- * density of the parcels; whether they have a temperature; whether the case has two dimensions. */
+ * density of the parcels; whether they have a temperature; whether the case has two dimensions, and
+ * no time. */
 struct Cloud {
   double d_least, d_most, density;
-  bool has_temperature, is_flat;
+  bool has_temperature, is_flat, is_steady;
 };
 
 /* A parcel that hits a face: it stands for `number` particles; v1 is relative to the wall, whose
@@ -46,13 +47,16 @@ public:
 
   /* Adds a row to `rows`, if it is asked for. */
   Hit hit(const Parcel &parcel, bool with_row);
+  /* True if the flow takes a deposit away within this time. */
+  bool removes(const Parcel &parcel, double dt) const;
   std::string heading() const;                 /* the canonical text */
   std::string notes(const Cloud &cloud) const; /* reasons and doubts, a line each */
 
   const std::string name;
   std::vector<LedgerRow> rows;      /* that the file does not have yet */
   std::unique_ptr<LedgerFile> file; /* on the first rank */
-  bool deletes, needs_flow;         /* what sticks; the friction velocity at the face */
+  bool deletes;                     /* what sticks */
+  bool has_flow;                    /* which takes deposits away */
   double worn_density;              /* of the wall; 0: it is not worn */
 
 private:
@@ -74,20 +78,22 @@ class PatchWalls {
 public:
   /* `model` has the entries, and what a restart needs. A fault ends the run and names its entry. */
   PatchWalls(const Foam::word &cloud, const Gas &gas, bool has_temperature, double density,
-             const Foam::subModelBase &model);
+             bool is_steady, const Foam::subModelBase &model);
 
   /* The wall of a patch; NULL: the patch is none. */
   const PatchWall *at(int patch) const {
     return of_patch_[patch];
   }
-  Hit hit(Parcel &parcel);
+  Hit hit(const Parcel &parcel);
+  /* True if the flow takes a deposit away in this time step; it is counted. */
+  bool removes(Parcel &parcel);
 
   /* At the end of a time step, on all ranks: sums to the log, rows to the ledgers, and at the time
    * of writing what a restart needs. */
   void info(Foam::Ostream &os, Foam::subModelBase &model);
 
 private:
-  enum { REBOUND, REBOUND_MASS, STICK, STICK_MASS, ERODED_MASS, N_SUMS }; /* of each patch */
+  enum { REBOUND, REBOUND_MASS, STICK, STICK_MASS, REMOVED, REMOVED_MASS, ERODED_MASS, N_SUMS };
 
   void read(const Foam::word &name, const Cloud &cloud, const Foam::dictionary &entries);
   template <class Type>

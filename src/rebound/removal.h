@@ -4,20 +4,20 @@
 #ifndef ASP_REBOUND_REMOVAL_H
 #define ASP_REBOUND_REMOVAL_H
 
+#include "asperity_internal.h"
 #include "rebound/materials.h"
-
-/* A work of adhesion, J/m^2, as one published code of El-Batsh's law has it. */
-#define ASPI_REMOVAL_WORK 0.039
 
 /* A flow along a wall; density 0: there is none. */
 typedef struct aspi_flow {
-  double u_tau;          /* friction velocity; 0: that of the particle counts alone */
-  double density;        /* of the gas */
-  double mean_free_path; /* in it */
-  double work;           /* of adhesion, per area */
+  double u_tau;            /* friction velocity; 0: that of the particle counts alone */
+  double density;          /* of the gas */
+  double viscosity;        /* of the gas, kinematic */
+  double adhesion, spread; /* median and geometric sd of the share of smooth contact; 0: by size */
+  double micron;           /* in the units of the lengths */
 } aspi_flow;
 
-/* True if it takes a particle away. */
-bool aspi_flow_removes(const aspi_flow *flow, const asp_particle *particle);
+/* The rate at which it takes a deposit away, and when the deposit goes: see asp_wall_removal. */
+asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
+                              const asp_key *key);
 
 #endif

@@ -147,8 +147,9 @@ void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
     coefficients[i] = asp_impact_coefficients(v1 + 3 * i, normals + 3 * i, &impacts[i]);
 }
 
-bool asp_wall_removes(const asp_wall *wall, const asp_particle *particle) {
+asp_removal asp_wall_removal(const asp_wall *wall, const asp_particle *particle,
+                             const asp_key *key) {
   asp_particle own = *particle;
   own.pair = own.pair ? own.pair : wall->pair;
-  return aspi_flow_removes(&wall->flow, &own);
+  return aspi_flow_removal(&wall->flow, &own, key);
 }

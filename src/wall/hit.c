@@ -8,7 +8,7 @@
  * surface along it; true if the particle deposits. */
 static bool sticks(const asp_wall *wall, const asp_particle *particle, double density,
                    const double speed[3], aspi_stream *stream, aspi_bounce *bounce) {
-  bool holding = wall->deposit && !aspi_flow_removes(&wall->flow, particle);
+  bool holding = wall->deposit;
   aspi_hit hit = {speed[0],       speed[1], speed[2],    particle->d_p, density,
                   particle->pair, holding,  wall->table, stream,        particle->temperature};
   *bounce = wall->law->rebound(wall->parameters, &hit);

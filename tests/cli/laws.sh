@@ -9,7 +9,6 @@ capture() { "$asperity" cor "$@" --capture --samples 20 > c && column capture_sh
 [ "$(capture --dp 10um --speed 5.7,5.9,10,100)" = "1 0 0 0" ] || die "capture: $(cat c)"
 [ "$(capture --dp 1um --speed 10,1e5)" = "1 1" ] || die "capture: 1 um is caught at any speed: $(cat c)"
 [ "$(capture surface_energy 0 --dp 10um --speed 1e-9)" = 0 ] || die "capture without adhesion: $(cat c)"
-[ "$(capture deposit freeze remove u_tau 2 gas_density 1.2 --dp 10um,100um --speed 0.1)" = "1 0" ] || die "remove: $(cat c)"
 [ "$(capture rebound bons soften 500C 0.001/K temperature 1500 --dp 10um --speed 7)" != "$(capture --dp 10um --speed 7)" ] || die "capture on a hot wall: $(cat c)"
 read -r slow fast <<< "$(capture surface rq 5um lambda_c 40um --dp 10um --speed 6,12)"
 awk -v a="$slow" -v b="$fast" 'BEGIN { exit !(a > b && a > 0 && a <= 1 && b < 1) }' || die "capture on a rough wall: $(cat c)"

@@ -10,7 +10,7 @@ physics="materials quartz hastelloy-x $rough"
 # All that a description has for such a wall, word for word in both, over LIGGGHTS's own constants.
 description='surface sigma 6deg spread truncated plane collisions single rebound bons contact_area 0.1 0.15 0.4
  temperature 800C soften 1000 0.001/K friction 0.4 surface_energy 100mJ/m2 yield_stress 150MPa
- materials quartz hastelloy-x deposit delete remove u_tau 2cm/s gas_density 1.2kg/m3 work 0.04J/m2 seed 6'
+ materials quartz hastelloy-x deposit freeze remove u_tau 2cm/s gas_density 1.2kg/m3 gas_viscosity 15mm2/s seed 6'
 
 plane() { # ID, primitive with its numbers, keywords: a wall of type 2
   echo "fix $1 all wall/rebound primitive type 2 $2 $physics $3"

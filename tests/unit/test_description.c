@@ -50,12 +50,15 @@ static void canonical_texts(void **state) {
              "surface smooth rebound bons yield_stress 200000Pa deposit freeze erosion finnie "
              "500000Pa density 2000 face mean seed 1");
   check_text(
-      "surface map m.sdf lay 3 0 4 deposit delete remove gas_density 1.2 u_tau 2.5 yield_stress "
+      "surface map m.sdf lay 3 0 4 deposit freeze remove gas_density 1.2 gas_viscosity 1.5e-5 "
+      "u_tau 2.5 yield_stress "
       "150MPa",
       "surface map m.sdf lay 3 0 4 spread profile isotropic collisions multiple rebound bons "
-      "yield_stress 150000000 deposit delete remove u_tau 2.5 gas_density 1.2 seed 1");
-  check_text("deposit freeze remove gas_density 1.2",
-             "surface smooth rebound bons deposit freeze remove gas_density 1.2 seed 1");
+      "yield_stress 150000000 deposit freeze remove u_tau 2.5 gas_density 1.2 gas_viscosity "
+      "1.5e-05 seed 1");
+  check_text("deposit freeze remove gas_density 1.2 gas_viscosity 0.5 adhesion 0.01",
+             "surface smooth rebound bons deposit freeze remove gas_density 1.2 gas_viscosity 0.5 "
+             "adhesion 0.01 seed 1");
 }
 
 /* What instruments print becomes rq and lambda_c, by closed forms; R_Sm by its table. */
@@ -184,9 +187,11 @@ static void add_rest(char *text, const asp_rebound_law *law, bool by_rate) {
     add(text, " surface_energy %.17g", uniform());
   if (pair && !by_rate && whole(2))
     add(text, " yield_stress %.17gMPa", 1000 * uniform());
-  add(text, off ? " deposit off" : whole(2) ? " deposit delete" : " deposit freeze");
-  if (pair && !off && whole(2))
-    add(text, " remove gas_density %.17g u_tau %.17g", 0.1 + uniform(), 0.1 + uniform());
+  const bool freezes = !off && whole(2);
+  add(text, " deposit %s", off ? "off" : freezes ? "freeze" : "delete");
+  if (pair && freezes && whole(2))
+    add(text, " remove gas_density %.17g gas_viscosity 1 u_tau %.17g", 0.1 + uniform(),
+        0.1 + uniform());
   if (whole(2))
     add(text, " seed %d", rand());
 }
@@ -372,7 +377,12 @@ static void what_has_no_effect_is_refused(void **state) {
           "yield_rate");
   refuses("rebound bons temperature 600", "'temperature' has no effect", "1000 K");
   refuses("rebound bons soften 800 0.001 temperature 800", "'temperature' has no effect", "800 K");
-  refuses("deposit off remove u_tau 1 gas_density 1", "'remove' has no effect", "deposit off");
+  refuses("deposit off remove u_tau 1 gas_density 1 gas_viscosity 1", "'remove' has no effect",
+          "deposit off");
+  refuses("deposit delete remove u_tau 1 gas_density 1 gas_viscosity 1", "'remove' has no effect",
+          "deposit delete");
+  refuses("rebound constant 1 1 deposit freeze remove u_tau 1 gas_density 1 gas_viscosity 1",
+          "'remove' has no effect", "no materials");
   refuses("surface_energy 1 deposit off", "'surface_energy' has no effect", "deposit off");
   refuses("spread weibull", "'spread' has no effect", "surface smooth");
   refuses("spread none surface sigma 8", "'none' is unknown", "visible");
@@ -386,14 +396,15 @@ static void units_are_converted(void **state) {
   (void)state;
   asp_description *a =
       parse("surface rq 5um lambda_c 40um yield_stress 200MPa surface_energy 0.8J/m2 "
-            "materials quartz steel deposit freeze remove u_tau 2m/s gas_density 1kg/m3",
+            "materials quartz steel deposit freeze remove u_tau 2m/s gas_density 1kg/m3 "
+            "gas_viscosity 15mm2/s",
             &micro);
   assert_near(a->r_q, 5, 0);
   assert_near(a->yield_stress, 2e5, 1e-9);
   assert_near(a->surface_energy, 800, 1e-12);
   assert_near(asp_description_get(a, "u_tau"), 2, 0);
   assert_near(asp_description_get(a, "gas_density"), 1e-3, 1e-18);
-  assert_near(asp_description_get(a, "work"), 39, 1e-12);
+  assert_near(asp_description_get(a, "gas_viscosity"), 15, 1e-12);
   assert_near(asp_material_get(asp_description_material(a, 0), "youngs_modulus"), 70e6, 1e-6);
   asp_description_free(a);
   a = parse("surface rq 15.6um lambda_c 0.12mm", NULL);

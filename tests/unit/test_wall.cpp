@@ -288,35 +288,88 @@ void idle_walls_are_doubted(void **) {
 
 } // namespace
 
-/* A flow that came with this run takes a body away by the size of the sphere that holds it, not by
- * that of the body. */
-void flow_takes_bodies_by_their_spheres(void **) {
+/* Deposits of 10 um in a flow that takes half of them away in a second: when each leaves, in steps
+ * of dt. After half of the time all go on at another wall, as after a restart. They are pulled to
+ * the wall, and do not stick again. */
+std::vector<double> times_of_removal(double dt) {
   const double d = 1e-5, none[3] = {0, 0, 0};
   Alone engine;
   engine.least = engine.most = d;
-  for (double flow : {0.1, 1.0, 10.0, 100.0}) {
-    char words[200];
-    snprintf(words, sizeof words, "materials quartz deposit freeze remove u_tau %g gas_density 1.2",
-             flow);
-    std::unique_ptr<Wall> wall =
-        make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, none)), words);
-    Bodies bodies;
-    Body body = Body();
-    body.count = 2;
-    body.mass = body.inertia[0] = body.inertia[1] = body.inertia[2] = 1;
-    bodies.all.push_back(body);
-    bodies.spheres = {BodySphere{{0, 0, 0}, d / 2, 1, 1, 1}, BodySphere{{1, 0, 0}, d / 2, 1, 1, 2}};
-    Grains grains(1, d / 2, 1e-6);
-    grains.begin({wall.get()});
-    bodies.begins = false;
-    claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
-    wall->stepper.body_rows.set_status(0, Status::STUCK);
-    wall->stepper.body_rows.stuck(0).shape = 1;
-    wall->stepper.body_rows.stuck(0).sphere = 1;
-    bodies.begins = true;
-    claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
-    assert_int_equal(wall->stepper.body_rows.is_stuck(0), !wall->setup.model.removes(1, 1, d));
+  std::vector<std::unique_ptr<Wall>> walls;
+  std::vector<double> times(GRAINS, HUGE_VAL);
+  Grains grains(GRAINS, d / 2, dt);
+  double packed[PACKED_MOST];
+  for (int half = 0; half < 2; half++) {
+    walls.push_back(make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, none)),
+                              "materials quartz deposit freeze remove u_tau 1 gas_density 1.2 "
+                              "gas_viscosity 1.5e-5"));
+    grains.begin({walls.back().get()});
+    Memories &rows = walls[half]->stepper.rows;
+    for (int i = 0; i < GRAINS; i++) {
+      grains.f[3 * i + 2] = -1e-3;
+      if (half) {
+        walls[0]->stepper.rows.pack(i, packed);
+        rows.unpack(i, packed);
+        continue;
+      }
+      rows.set_status(i, Status::STUCK);
+      rows.stuck(i) = Stuck();
+      rows.stuck(i).shape = 1;
+      rows.stuck(i).sphere = i + 1;
+    }
+    walls[half]->stepper.reorder(grains.spheres());
+    for (int step = 0; step < lround(0.5 / dt); step++) {
+      grains.fly(1);
+      for (int i = 0; i < GRAINS; i++) {
+        assert_false(rows.is_stuck(i) && times[i] < HUGE_VAL);
+        if (!rows.is_stuck(i) && !(times[i] < HUGE_VAL))
+          times[i] = static_cast<double>(grains.now) * dt;
+      }
+    }
   }
+  return times;
+}
+
+/* A body of two spheres is held by the one with this tag: when it leaves. */
+double time_of_body(int tag, double dt) {
+  const double d = 1e-5, none[3] = {0, 0, 0};
+  Alone engine;
+  engine.least = engine.most = d;
+  std::unique_ptr<Wall> wall = make_wall(
+      engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, none)),
+      "materials quartz deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5");
+  Bodies bodies;
+  bodies.dt = dt;
+  bodies.all.push_back(Body());
+  bodies.all[0].count = 2;
+  bodies.all[0].mass = 1;
+  bodies.spheres = {BodySphere{{0, 0, 0}, 9 * d, 1, 1, 1}, BodySphere{{1, 0, 0}, d / 2, 1, 1, tag}};
+  Grains grains(1, d / 2, dt);
+  grains.begin({wall.get()});
+  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+  wall->stepper.body_rows.set_status(0, Status::STUCK);
+  wall->stepper.body_rows.stuck(0).shape = 1;
+  wall->stepper.body_rows.stuck(0).sphere = tag;
+  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+  double time = 0;
+  for (; wall->stepper.body_rows.is_stuck(0) && time < 2; time += dt)
+    wall->stepper.let_go(bodies);
+  return time;
+}
+
+/* When a deposit leaves depends neither on the step nor on a restart, and a body leaves as the
+ * sphere that holds it. */
+void flow_takes_deposits_away(void **) {
+  const std::vector<double> coarse = times_of_removal(0.02), fine = times_of_removal(0.005);
+  int left = 0;
+  for (int i = 0; i < GRAINS; i++) {
+    const double late = coarse[i] < HUGE_VAL ? coarse[i] - fine[i] : 0;
+    left += coarse[i] < HUGE_VAL;
+    assert_true(late > -1e-9 && late < 0.02);
+    if (i < 10 && coarse[i] < HUGE_VAL)
+      assert_true(fabs(time_of_body(i + 1, 0.02) - coarse[i]) < 1e-9);
+  }
+  assert_true(left > 0.3 * GRAINS && left < 0.7 * GRAINS);
 }
 
 /* A body that was stuck to a wall which is gone is held where it is at the beginning of the run,
@@ -403,8 +456,8 @@ int main(int argc, char **argv) {
       cmocka_unit_test(rows_are_in_the_box),
       cmocka_unit_test(idle_walls_are_doubted),
       cmocka_unit_test(memories_come_back),
-      cmocka_unit_test(flow_takes_bodies_by_their_spheres),
       cmocka_unit_test(bodies_of_no_wall_stay),
+      cmocka_unit_test(flow_takes_deposits_away),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

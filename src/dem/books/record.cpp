@@ -17,7 +17,7 @@ using namespace asperity;
 namespace {
 
 /* The form of head and sections is the same in all versions; what is in the sections is not. */
-const uint32_t VERSION = 2;
+const uint32_t VERSION = 3;
 const char MAGIC[8] = {'a', 's', 'p', '-', 'w', 'a', 'l', 'l'};
 
 struct Head {

@@ -41,6 +41,7 @@ struct Stuck {
   double sphere; /* its tag */
   double shape;  /* from 1; 0: gone */
   double piece, at[3], axes[3][3], v[3], omega[3];
+  double removal; /* integral over time of the rate at which the flow removes it */
   double is_kept; /* 1: the books keep its load, and its force is that of a whole step */
 };
 

@@ -658,6 +658,7 @@ template <class Kind> static void step_movers(const Walls &walls, Kind &kind) {
     Members &of = walls[w]->members(kind);
     const auto first = static_cast<std::ptrdiff_t>(near.size());
     of.begin_step();
+    walls[w]->let_go(kind);
     walls[w]->carry_stuck(kind);
     of.ahead.find_near(all, static_cast<int>(w), near);
     std::inplace_merge(near.begin(), near.begin() + first, near.end());
@@ -702,7 +703,7 @@ void Members::list(const Spheres &s) {
   touching.clear();
   for (int i = 0; i < s.n; i++)
     if (rows.is_stuck(i))
-      stuck.push_back(StuckOne{i, false, false, {}, {}, 0});
+      stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
     else if (rows.status(i) != Status::FREE)
       touching.push_back(i);
   ahead.reorder(s);
@@ -733,15 +734,6 @@ void Members::begin_run(const Setup &setup, const Spheres &s) {
   }
 }
 
-/* The flow may take away what stuck before it was there. */
-void Members::let_go(const Setup &setup, int i, int type, double radius) {
-  const size_t shape =
-      rows.is_stuck(i) ? static_cast<size_t>(rows.stuck(i).shape) - 1 : setup.shapes.size();
-  if (shape < setup.shapes.size() &&
-      setup.model.removes(type, setup.shapes[shape].wall_type, 2 * radius))
-    rows.set_status(i, Status::FREE);
-}
-
 void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
   for (int i = 0; i < s.n && !shape_now.empty(); i++)
     if (Memory *of = rows.find(i)) {
@@ -751,8 +743,6 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
           aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
     }
   grains.begin_run(setup, s);
-  for (int i = 0; i < s.n; i++)
-    grains.let_go(setup, i, s.type[i], s.radius[i]);
   reorder(s);
 }
 
@@ -821,7 +811,6 @@ void asperity::claim_bodies(const Walls &walls, Bodies &bodies, MPI_Comm world) 
           aspi_add_scaled(at.at, 1, bodies.all[b].x, at.at);
           memcpy(at.axes, bodies.all[b].axes, sizeof at.axes);
         }
-        wall->bodies.let_go(wall->setup, mover.i, one.type, one.radius);
       }
     wall->bodies.list(bodies.bounds());
   }

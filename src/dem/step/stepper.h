@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "asperity_internal.h"
 #include "dem/books/books.h"
 #include "dem/setup.h"
 #include "dem/step/ahead.h"
@@ -26,6 +27,7 @@ struct StuckOne {
   bool was_stopped;
   bool is_kept; /* its load is among those that the books keep */
   double x[3], v[3], mass;
+  asp_removal flow; /* most 0: not drawn yet */
 };
 
 /* The particles, or the bodies, of this rank at a wall. */
@@ -44,8 +46,6 @@ struct Members {
   void begin_step();
   /* A new run has begun: forces are without those of the walls, and it may have no deposits. */
   void begin_run(const Setup &setup, const Spheres &spheres);
-  /* type, radius: of the sphere that has stuck, if any has. */
-  void let_go(const Setup &setup, int i, int type, double radius);
 
   size_t bytes() const {
     return rows.bytes() + ahead.bytes() + stuck.capacity() * sizeof(StuckOne);
@@ -85,8 +85,9 @@ struct Stepper {
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder(const Spheres &spheres);
 
-  /* stick.cpp: moves what is stuck with the wall, and gives it the wall's velocity at the end of a
-   * step. */
+  /* stick.cpp: frees what the flow takes away in this step, moves what is stuck with the wall, and
+   * gives it the wall's velocity at the end of the step. */
+  template <class Kind> void let_go(Kind &kind);
   void carry_stuck(const Spheres &spheres);
   void carry_stuck(Bodies &bodies);
   void hold_stuck(const Spheres &spheres);

@@ -57,7 +57,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   const bool deletes = wall.setup.model.deposit() == Model::DELETE;
   of.rows.set_status(mover.i, deletes ? Status::TO_DELETE : Status::STUCK);
   wall.has_to_delete = wall.has_to_delete || deletes;
-  of.stuck.push_back(StuckOne{mover.i, false, false, {}, {}, 0});
+  of.stuck.push_back(StuckOne{mover.i, false, false, {}, {}, 0, {}});
   Stuck &to = of.rows.stuck(mover.i);
   to = Stuck();
   to.sphere = static_cast<double>(mover.sphere[touch.sphere].tag);
@@ -252,3 +252,53 @@ void Stepper::hold_stuck(Bodies &bodies_now) {
   for (const StuckOne &at : bodies.stuck)
     hold_one(*this, body_rows.stuck(at.i), bodies_now, at.i);
 }
+
+/* ---- removal ----------------------------------------------------------------------------------
+ */
+
+static int number(const Spheres &, int i) {
+  return i;
+}
+static size_t number(const Bodies &, int i) {
+  return static_cast<size_t>(i);
+}
+
+/* Draws the adhesion of a deposit, and when it ends, by the next key of its draws. */
+static asp_removal draw_removal(const Setup &setup, const Mover &mover, const Stuck &place,
+                                double draws) {
+  const BodySphere &one = mover.anchor(place);
+  const size_t shape = static_cast<size_t>(place.shape) - 1;
+  const asp_key key = {setup.model.seed(), setup.stay_key, static_cast<uint64_t>(one.tag),
+                       static_cast<uint32_t>(draws + 1)};
+  if (!(place.shape >= 1))
+    return {0, 1};
+  return setup.model.removal(one.type, setup.shapes[shape].wall_type, 2 * one.radius, key);
+}
+
+/* A deposit that the flow takes away rests at the wall, and does not stick again before it has left
+ * it. */
+template <class Kind> void Stepper::let_go(Kind &kind) {
+  if (!setup.model.has_flow())
+    return;
+  Members &of = members(kind);
+  size_t kept = 0;
+  for (StuckOne &at : of.stuck) {
+    Memory &memory = of.rows.own(at.i);
+    Stuck &place = of.rows.stuck(at.i);
+    if (!(at.flow.most > 0))
+      at.flow = draw_removal(setup, Mover(kind, number(kind, at.i)), place, memory.draws);
+    place.removal += at.flow.rate * kind.dt;
+    if (place.removal <= at.flow.most) {
+      of.stuck[kept++] = at;
+      continue;
+    }
+    memory.draws++;
+    drop_load(at, 0);
+    of.rows.set_status(at.i, Status::RESTING);
+    of.touching.push_back(at.i);
+    of.ahead.expire(at.i);
+  }
+  of.stuck.resize(kept);
+}
+template void Stepper::let_go<const Spheres>(const Spheres &);
+template void Stepper::let_go<Bodies>(Bodies &);
