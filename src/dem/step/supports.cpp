@@ -16,7 +16,7 @@ namespace {
  * of all of them, or TINY of the velocity: of a ball, and of a body, whose impacts are solved so,
  * too. They have found no solution if more than DIVERGED of the first approach is left; the points
  * of a body are often more than its freedom, and sweeps over them are slow. */
-const int SWEEPS = 100, SWEEPS_OF_BODY = 300;
+const int SWEEPS = 300;
 const double CONVERGED = 1e-6, CONVERGED_OF_BODY = 1e-11, TINY = 1e-15;
 const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
 
@@ -133,7 +133,6 @@ inline void solve_one(const Mover &mover, Support &s, double v[3], double omega[
  * every third sweep, the impulses jump by the sum of the remaining series (Aitken). False if an
  * approach is left. */
 bool sweep(const Mover &mover, const Supports &supports, double v[3], double omega[3]) {
-  const int most = mover.is_ball ? SWEEPS : SWEEPS_OF_BODY;
   const double converged = mover.is_ball ? CONVERGED : CONVERGED_OF_BODY;
   double first = 0, left = 0, speed = aspi_length(v), u[3];
   for (Support &s : supports) {
@@ -144,7 +143,7 @@ bool sweep(const Mover &mover, const Supports &supports, double v[3], double ome
   }
   for (Support &s : supports)
     push(mover, s, s.p, v, omega);
-  for (int n = 0; n < most; n++) {
+  for (int n = 0; n < SWEEPS; n++) {
     double before = 0, product = 0, now = 0, all = 0;
     for (Support &s : supports) {
       double then[3], last[3];
