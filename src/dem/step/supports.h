@@ -8,12 +8,11 @@
  *
  *   v'     = v + sum p                     u = v' + omega' x arm - w   (velocity of the contact)
  *   omega' = omega + m I^-1 sum arm x p    0 <= p_n,  u.n >= 0,  p_n (u.n) = 0
- *                                          |p_t| <= mu p_n; p_t opposes u_t where the contact
- * slides
+ *                                          |p_t| <= mu p_n, against u_t where it slides
  *
  * One contact of a ball is solved in closed form: p_n takes the approach, and p_t = -2/7 u_t, cut
- * at mu p_n, makes the ball roll. Two are, where one can be told which; others are solved one after
- * another until nothing changes, from the impulses that they have.
+ * at mu p_n, makes the ball roll. Several are solved one after another until nothing changes, from
+ * the impulses that they have.
  *
  * A sphere in a valley of a rough wall is held by the faces around it, whose impulses act on its
  * center: there `arm` ends at that, and |p_t| <= hold p_n. A ball loses its spin there.
