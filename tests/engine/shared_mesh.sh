@@ -16,9 +16,10 @@ stl() { # CELLS FORM: a plate of 2 CELLS^2 triangles
 }
 stl 200 binary > large.stl; stl 200 text > text.stl; stl 2 binary > small.stl
 cat > memory.sh <<'END'
-# In kB: of all ranks together, what is in memory now, and the most that each one had.
+# In kB: of all ranks together, what is in memory now without files, whose share depends on other programs, and the most
+# that each one had.
 for job in $(pgrep -f -- "lammps-asperity -in $1"); do cat /proc/$job/smaps_rollup /proc/$job/status; done 2> /dev/null |
-  awk '/^Pss:/ { now += $2 } /^VmHWM:/ { most += $2 } END { print now, most }' > memory
+  awk '/^Pss_(Anon|Shmem):/ { now += $2 } /^VmHWM:/ { most += $2 } END { print now, most }' > memory
 END
 run() { # MESH RANKS: its ledger, and what memory it took
   { head_of si
