@@ -419,8 +419,8 @@ void run(Scene &scene, const Pace &pace, bool stands, bool settles, Result &r) {
 /* Of the energy, by the turn of bodies in parts of 0.01 rad. */
 const double HEAT = 1e-3;
 
-/* What is left: where ten spheres in a row rest at several smooth walls, the sweeps over their 20 or
- * 30 contacts do not converge, so that they hop in steps of 1e-5; ten times as many sweeps leave
+/* What is left: where ten spheres in a row rest at several smooth walls, the sweeps over their 20
+ * or 30 contacts do not converge, so that they hop in steps of 1e-5; ten times as many sweeps leave
  * that. */
 const char *const LEFT[] = {"rod10 planes smooth", "rod10 corner smooth", "rod10 V smooth"};
 
