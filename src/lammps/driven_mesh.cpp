@@ -51,37 +51,12 @@ void Drive::parse(Words &words, std::string &geometry) {
 
 void Drive::move(double time, Frame &frame, Twist &twist) const {
   const double rate = kind_ == LINEAR ? 1 : 2 * ASP_PI / period_, phase = rate * time;
-  frame = Frame();
-  twist = Twist();
-  for (int d = 0; d < 3; d++) {
-    if (kind_ == LINEAR) {
-      frame.shift[d] = a_[d] * time;
-      twist.linear[d] = a_[d];
-    } else if (kind_ == WIGGLE) {
-      frame.shift[d] = a_[d] * sin(phase);
-      twist.linear[d] = a_[d] * rate * cos(phase);
-    }
-  }
-  if (kind_ != ROTATE)
+  frame = kind_ == ROTATE ? turn_about(a_, axis_, phase) : Frame();
+  twist = kind_ == ROTATE ? twist_about(a_, axis_, rate) : Twist();
+  if (kind_ == ROTATE)
     return;
-  /* Rodrigues: e_j turned about the axis, column by column. */
-  const double c = cos(phase), s = sin(phase);
-  double turned[3], speed[3];
-  for (int j = 0; j < 3; j++) {
-    const double e[3] = {j == 0 ? 1. : 0., j == 1 ? 1. : 0., j == 2 ? 1. : 0.};
-    double across[3];
-    aspi_cross(axis_, e, across);
-    for (int i = 0; i < 3; i++)
-      frame.turn[i][j] = c * e[i] + s * across[i] + (1 - c) * axis_[i] * axis_[j];
-  }
-  for (int i = 0; i < 3; i++)
-    turned[i] = aspi_dot(frame.turn[i], a_);
-  aspi_subtract(a_, turned, frame.shift);
-  aspi_copy(axis_, twist.angular);
-  aspi_scale(rate, twist.angular);
-  aspi_cross(twist.angular, a_, speed);
-  aspi_scale(-1, speed);
-  aspi_copy(speed, twist.linear);
+  aspi_add_scaled(frame.shift, kind_ == LINEAR ? time : sin(phase), a_, frame.shift);
+  aspi_add_scaled(twist.linear, kind_ == LINEAR ? 1 : rate * cos(phase), a_, twist.linear);
 }
 
 /* ---- the mesh ---------------------------------------------------------------------------------

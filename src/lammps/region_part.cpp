@@ -33,35 +33,67 @@ public:
 
 RegionPart::RegionPart(Region *region, int number)
     : region_(region), number_(number), moves_(region->moveflag || region->rotateflag), origin_(),
-      axis_(), before_(), now_(), rate_(), last_rate_(), dt_(0), has_rate_(false),
-      has_last_(false) {
+      axis_(), pose_(), rate_(), has_rate_(false), dt_(0) {
   if (region->rotateflag)
     AxisOf::read(region, origin_, axis_);
 }
 
+RegionPart::Pose RegionPart::pose() const {
+  return Pose{{region_->dx, region_->dy, region_->dz}, region_->theta};
+}
+
+/* The turn, then the displacement. */
+asperity::Frame RegionPart::frame_of(const Pose &pose) const {
+  asperity::Frame frame = asperity::turn_about(origin_, axis_, pose.angle);
+  aspi_add_scaled(frame.shift, 1, pose.shift, frame.shift);
+  return frame;
+}
+
 void RegionPart::settle() {
-  now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
-  before_ = now_;
-  frame_ = begin_ = end_ = frame_at(1);
+  pose_ = pose();
+  motion_.settle(frame_of(pose_), true);
+  frame_ = motion_.end();
 }
 
+/* The rate of a step is its mean, valid at its middle; at its end it is extrapolated from the last
+ * change. */
 void RegionPart::advance(double dt) {
+  const Pose last = rate_, before = pose_;
+  Pose end;
+  double center[3];
   dt_ = dt;
-  before_ = now_;
-  now_ = RegionPose{{region_->dx, region_->dy, region_->dz}, region_->theta};
-  last_rate_ = rate_;
-  has_last_ = has_rate_;
+  pose_ = pose();
+  for (int d = 0; d < 3; d++) {
+    rate_.shift[d] = (pose_.shift[d] - before.shift[d]) / dt;
+    end.shift[d] = rate_.shift[d] + (has_rate_ ? 0.5 * (rate_.shift[d] - last.shift[d]) : 0);
+  }
+  rate_.angle = (pose_.angle - before.angle) / dt;
+  end.angle = rate_.angle + (has_rate_ ? 0.5 * (rate_.angle - last.angle) : 0);
   has_rate_ = true;
-  for (int d = 0; d < 3; d++)
-    rate_.shift[d] = (now_.shift[d] - before_.shift[d]) / dt;
-  rate_.angle = (now_.angle - before_.angle) / dt;
-  begin_ = end_;
-  frame_ = end_ = frame_at(1);
+  aspi_add_scaled(origin_, 1, pose_.shift, center);
+  asperity::Twist twist = asperity::twist_about(center, axis_, end.angle);
+  aspi_add_scaled(twist.linear, 1, end.shift, twist.linear);
+  motion_.advance(frame_of(pose_), twist, dt);
+  frame_ = motion_.end();
 }
 
-void RegionPart::set_rate(const RegionPose &rate) {
-  rate_ = rate;
+void RegionPart::append_record(std::vector<double> &record) const {
+  if (!has_rate_)
+    return;
+  const asperity::Twist &last = motion_.last();
+  for (const double *three : {rate_.shift, last.angular, last.linear})
+    record.insert(record.end(), three, three + 3);
+  record.push_back(rate_.angle);
+}
+
+void RegionPart::restore(const double *record) {
+  asperity::Twist last;
+  aspi_copy(record, rate_.shift);
+  aspi_copy(record + 3, last.angular);
+  aspi_copy(record + 6, last.linear);
+  rate_.angle = record[9];
   has_rate_ = true;
+  motion_.set_last(last);
 }
 
 double RegionPart::travel(const double lo[3], const double hi[3]) const {
@@ -71,7 +103,7 @@ double RegionPart::travel(const double lo[3], const double hi[3]) const {
     for (int d = 0; d < 3; d++)
       x[d] = corner >> d & 1 ? hi[d] : lo[d];
     for (double share : {0.0, 1.0}) {
-      velocity(share, x, v);
+      motion_.velocity(share, x, v);
       most = std::max(most, dt_ * aspi_length(v));
     }
   }
@@ -79,7 +111,7 @@ double RegionPart::travel(const double lo[3], const double hi[3]) const {
 }
 
 double RegionPart::turn_speed() const {
-  return region_->rotateflag ? fabs(rate_.angle) : 0;
+  return fabs(rate_.angle);
 }
 
 /* The way from one end of the step to the other, as the part sees it, and what turns it. */
@@ -90,71 +122,15 @@ double RegionPart::fastest(const asperity::Path &path, double most) const {
   if (path.left < path.dt)
     return most;
   aspi_add_scaled(path.x, path.left, path.v, to);
-  begin_.to_local(path.x, from);
-  end_.to_local(to, to);
+  motion_.frame_at(0).to_local(path.x, from);
+  motion_.end().to_local(to, to);
   aspi_subtract(to, from, to);
   return aspi_length(to) / path.left + 2 * turn_speed() * path.left * most + LEAST * most;
 }
 
-RegionPose RegionPart::pose(double share) const {
-  if (share >= 1)
-    return now_;
-  RegionPose pose;
-  for (int d = 0; d < 3; d++)
-    pose.shift[d] = before_.shift[d] + share * (now_.shift[d] - before_.shift[d]);
-  pose.angle = before_.angle + share * (now_.angle - before_.angle);
-  return pose;
-}
-
-/* Rodrigues, about the axis through the origin; then the displacement. */
-asperity::Frame RegionPart::frame_at(double share) const {
-  asperity::Frame frame;
-  const RegionPose now = pose(share);
-  if (region_->rotateflag) {
-    const double c = cos(now.angle), s = sin(now.angle);
-    for (int i = 0; i < 3; i++) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      frame.turn[i][i] = c + (1 - c) * axis_[i] * axis_[i];
-      frame.turn[i][j] = (1 - c) * axis_[i] * axis_[j] - s * axis_[k];
-      frame.turn[i][k] = (1 - c) * axis_[i] * axis_[k] + s * axis_[j];
-    }
-    for (int i = 0; i < 3; i++)
-      frame.shift[i] = origin_[i] - aspi_dot(frame.turn[i], origin_);
-  }
-  if (region_->moveflag)
-    aspi_add_scaled(frame.shift, 1, now.shift, frame.shift);
-  return frame;
-}
-
-/* Most searches ask for the beginning and the end of the step. */
 void RegionPart::set_share(double share) const {
   if (moves_)
-    frame_ = share >= 1 ? end_ : share > 0 ? frame_at(share) : begin_;
-}
-
-void RegionPart::to_world(double share, double x[3]) const {
-  frame_at(share).to_world(x, x);
-}
-
-void RegionPart::turn_vector(double share, double vector[3]) const {
-  asperity::Frame frame = frame_at(share);
-  frame.shift[0] = frame.shift[1] = frame.shift[2] = 0;
-  frame.to_world(vector, vector);
-}
-
-void RegionPart::turn(double share, double axes[3][3], double omega[3]) const {
-  for (int d = 0; d < 3; d++)
-    omega[d] = region_->rotateflag ? rate_at(1).angle * axis_[d] : 0;
-  asperity::Frame begin = frame_at(share);
-  begin.shift[0] = begin.shift[1] = begin.shift[2] = 0;
-  for (int k = 0; k < 3; k++) {
-    begin.to_local(axes[k], axes[k]);
-    turn_vector(1, axes[k]);
-  }
-}
-
-void RegionPart::to_local(double share, double x[3]) const {
-  frame_at(share).to_local(x, x);
+    frame_ = motion_.frame_at(share);
 }
 
 /* ---- faces ------------------------------------------------------------------------------------
@@ -193,54 +169,4 @@ void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoo
     foot.face = FACES * number_ + c.iwall;
     feet.push_back(foot);
   }
-}
-
-void RegionPart::velocity_by(const RegionPose &rate, double share, const double x[3],
-                             double v[3]) const {
-  v[0] = v[1] = v[2] = 0;
-  if (region_->rotateflag) {
-    double arm[3];
-    aspi_subtract(x, origin_, arm);
-    if (region_->moveflag)
-      aspi_subtract(arm, pose(share).shift, arm);
-    aspi_cross(axis_, arm, v);
-    aspi_scale(rate.angle, v);
-  }
-  if (region_->moveflag)
-    aspi_add_scaled(v, 1, rate.shift, v);
-}
-
-/* A stored rate is the mean over a step, valid at its middle. Within the step it is extrapolated
- * from the last change. */
-RegionPose RegionPart::rate_at(double share) const {
-  RegionPose then = rate_;
-  const double on = has_last_ ? share - 0.5 : 0;
-  for (int d = 0; d < 3; d++)
-    then.shift[d] += on * (rate_.shift[d] - last_rate_.shift[d]);
-  then.angle += on * (rate_.angle - last_rate_.angle);
-  return then;
-}
-
-void RegionPart::velocity(double share, const double x[3], double v[3]) const {
-  velocity_by(rate_at(share), share, x, v);
-}
-
-/* The axis moves with the region, so that dV/dt at a fixed point has the part -omega x shift'. */
-void RegionPart::acceleration(double share, const double x[3], const double v[3],
-                              double a[3]) const {
-  const RegionPose rate = rate_at(share);
-  RegionPose change = RegionPose();
-  for (int d = 0; d < 3 && has_last_; d++)
-    change.shift[d] = (rate_.shift[d] - last_rate_.shift[d]) / dt_;
-  if (has_last_)
-    change.angle = (rate_.angle - last_rate_.angle) / dt_;
-  velocity_by(change, share, x, a);
-  if (!region_->rotateflag)
-    return;
-  double now[3], swept[3], turned[3];
-  velocity_by(rate, share, x, now);
-  for (int d = 0; d < 3; d++)
-    swept[d] = 2 * v[d] - now[d] - (region_->moveflag ? rate.shift[d] : 0);
-  aspi_cross(axis_, swept, turned);
-  aspi_add_scaled(a, rate.angle, turned, a);
 }

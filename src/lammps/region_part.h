@@ -14,11 +14,6 @@
 
 namespace LAMMPS_NS {
 
-/* A displacement, and an angle about the part's axis; or their rates. */
-struct RegionPose {
-  double shift[3], angle;
-};
-
 /* The nearest point of a face. */
 struct RegionFoot {
   double distance, n[3]; /* unit, from the face to the point */
@@ -41,13 +36,15 @@ public:
   bool moves() const {
     return moves_;
   }
+  const asperity::Motion &motion() const {
+    return motion_;
+  }
 
   /* At the beginning of a run, and at the end of each step: what LAMMPS has. */
   void settle();
   void advance(double dt);
 
-  /* The motion in this step; the distance by which a point within a box moves apart from `from` in
-   * it, at most; and the mean angular speed. */
+  /* The distance that a point within a box moves in this step, at most; and the angular speed. */
   double travel(const double lo[3], const double hi[3]) const;
   double turn_speed() const;
 
@@ -65,40 +62,27 @@ public:
    * the whole part, from outside. */
   void add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const;
 
-  /* From the place in the region as it was defined to that at a share of the step, and back. */
-  void to_world(double share, double x[3]) const;
-  void to_local(double share, double x[3]) const;
-
-  /* A vector that turns with the region; axes turned from a share of the step to its end, and the
-   * angular velocity there. */
-  void turn_vector(double share, double vector[3]) const;
-  void turn(double share, double axes[3][3], double omega[3]) const;
-
-  /* The velocity of a point of the region; and the acceleration that keeps a point which moves
-   * through x with the velocity v at its face (see asperity::Motion). */
-  void velocity(double share, const double x[3], double v[3]) const;
-  void acceleration(double share, const double x[3], const double v[3], double a[3]) const;
-
-  /* The mean velocities of the last step, for a run that continues one. */
-  const RegionPose *rate() const {
-    return has_rate_ ? &rate_ : NULL;
-  }
-  void set_rate(const RegionPose &rate);
+  /* What a run that continues this one must know, N_RECORD numbers; none before the first step. */
+  enum { N_RECORD = 10 };
+  void append_record(std::vector<double> &record) const;
+  void restore(const double *record);
 
 private:
-  RegionPose pose(double share) const;
-  RegionPose rate_at(double share) const;
-  asperity::Frame frame_at(double share) const;
-  void velocity_by(const RegionPose &rate, double share, const double x[3], double v[3]) const;
+  /* A displacement, and an angle about the part's axis; or their rates. */
+  struct Pose {
+    double shift[3], angle;
+  };
+  Pose pose() const;
+  asperity::Frame frame_of(const Pose &pose) const;
 
   Region *region_;
   int number_;
   bool moves_;
   double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
-  RegionPose before_, now_, rate_, last_rate_;
+  Pose pose_, rate_;           /* at the end of the step, and in its mean */
+  bool has_rate_;
   double dt_;
-  bool has_rate_, has_last_;
-  asperity::Frame begin_, end_;
+  asperity::Motion motion_;
   mutable asperity::Frame frame_; /* where it is */
 };
 

@@ -94,7 +94,7 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
   v_wall[0] = v_wall[1] = v_wall[2] = 0;
   if (part.moves()) {
     aspi_add_scaled(l.x, -foot.distance, foot.n, point);
-    part.velocity(share(l.time), point, v_wall);
+    part.motion().velocity(share(l.time), point, v_wall);
   }
   aspi_subtract(path.v, v_wall, v);
 }
@@ -128,7 +128,7 @@ double RegionShape::Search::acceleration(const Look &l, const Foot &foot) const 
   double a[3];
   if (!shape.parts_[foot.part].moves())
     return 0;
-  shape.parts_[foot.part].acceleration(share(l.time), l.x, path.v, a);
+  shape.parts_[foot.part].motion().acceleration(share(l.time), l.x, path.v, a);
   return aspi_dot(a, foot.n);
 }
 

@@ -187,19 +187,17 @@ void RegionShape::set_share(double share) const {
 std::vector<double> RegionShape::motion_record() const {
   std::vector<double> record;
   for (const RegionPart &part : parts_)
-    if (part.rate()) {
-      record.insert(record.end(), part.rate()->shift, part.rate()->shift + 3);
-      record.push_back(part.rate()->angle);
-    }
+    if (part.moves())
+      part.append_record(record);
   return record;
 }
 
 void RegionShape::restore_motion(const std::vector<double> &record) {
   size_t at = 0;
   for (RegionPart &part : parts_)
-    if (part.moves() && record.size() >= at + 4) {
-      part.set_rate(RegionPose{{record[at], record[at + 1], record[at + 2]}, record[at + 3]});
-      at += 4;
+    if (part.moves() && record.size() >= at + RegionPart::N_RECORD) {
+      part.restore(&record[at]);
+      at += RegionPart::N_RECORD;
     }
 }
 
@@ -321,8 +319,8 @@ bool RegionShape::under(int face, const double x[3], const double v[3], double r
     at.distance = foot.distance;
     at.face = face;
     if (part.moves()) {
-      part.velocity(1, point, at.v_wall);
-      part.acceleration(1, x, v, u);
+      part.motion().velocity(1, point, at.v_wall);
+      part.motion().acceleration(1, x, v, u);
       at.follow = aspi_dot(u, at.n);
     }
     aspi_subtract(v, at.v_wall, u);
@@ -356,21 +354,18 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
   aspi_copy(contact.x, place.at);
   const RegionPart &part = parts_[place.piece];
   if (part.moves())
-    part.to_local(share, place.at);
+    part.motion().frame_at(share).to_local(place.at, place.at);
 }
 
 /* The vector is of the part as it is defined; it turns with the part that is touched. */
 void RegionShape::lay(const asp_lay &lay, const Path &path, const Contact &contact,
                       double direction[3]) const {
-  aspi_copy(lay.vector, direction);
-  bool turns = false;
-  for (const RegionPart &part : parts_)
-    turns = turns || part.region()->rotateflag;
-  if (!turns)
-    return;
   Place place;
   stick(path, contact, place);
-  parts_[place.piece].turn_vector(path.share() + contact.time / path.dt, direction);
+  parts_[place.piece]
+      .motion()
+      .frame_at(path.share() + contact.time / path.dt)
+      .to_world_direction(lay.vector, direction);
 }
 
 void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) const {
@@ -381,14 +376,14 @@ void RegionShape::carry(Place &place, double, double, double x[3], double v[3]) 
   const RegionPart &part = parts_[place.piece];
   if (!part.moves())
     return;
-  part.to_world(1, x);
-  part.velocity(1, x, v);
+  part.motion().end().to_world(x, x);
+  part.motion().velocity(1, x, v);
 }
 
 void RegionShape::turn(const Place &place, double share, double, double axes[3][3],
                        double omega[3]) const {
   omega[0] = omega[1] = omega[2] = 0;
   const size_t piece = static_cast<size_t>(place.piece);
-  if (piece < parts_.size() && parts_[piece].moves())
-    parts_[piece].turn(share, axes, omega);
+  if (piece < parts_.size())
+    parts_[piece].motion().turn(share, axes, omega);
 }

@@ -4,7 +4,6 @@
 #include "dem/shapes/mesh.h"
 
 #include <math.h>
-#include <algorithm>
 
 #include "contact/vector.h"
 
@@ -38,9 +37,7 @@ void MeshShape::lay(const asp_lay &lay, const Path &path, const Contact &contact
   aspi_copy(lay.vector, direction);
   if (motion_.in_world())
     return;
-  const Frame frame = motion_.frame_at(path.share() + contact.time / path.dt);
-  for (int i = 0; i < 3; i++)
-    direction[i] = aspi_dot(frame.turn[i], lay.vector);
+  motion_.frame_at(path.share() + contact.time / path.dt).to_world_direction(lay.vector, direction);
 }
 
 bool MeshShape::is_across(const double direction[3]) const {
@@ -103,22 +100,5 @@ void MeshShape::carry(Place &place, double radius, double dt, double x[3], doubl
 
 void MeshShape::turn(const Place &, double share, double, double axes[3][3],
                      double omega[3]) const {
-  std::fill(omega, omega + 3, 0.0);
-  if (!motion_.moves())
-    return;
-  const Frame begin = motion_.frame_at(share), &end = motion_.end();
-  double still[3] = {0, 0, 0};
-  motion_.velocity(1, still, still);
-  for (int k = 0; k < 3; k++) {
-    double at[3], unit[3] = {0, 0, 0}, v[3], around[3];
-    aspi_add_scaled(begin.shift, 1, axes[k], at);
-    begin.to_local(at, at);
-    end.to_world(at, at);
-    aspi_subtract(at, end.shift, axes[k]);
-    unit[k] = 1; /* the curl of the velocity */
-    motion_.velocity(1, unit, v);
-    aspi_subtract(v, still, v);
-    aspi_cross(unit, v, around);
-    aspi_add_scaled(omega, 0.5, around, omega);
-  }
+  motion_.turn(share, axes, omega);
 }

@@ -84,9 +84,14 @@ Twist screw_between(const Frame &from, const Frame &to) {
 Frame::Frame() : turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, shift{0, 0, 0} {}
 
 void Frame::to_world(const double local[3], double world[3]) const {
+  to_world_direction(local, world);
+  aspi_add_scaled(world, 1, shift, world);
+}
+
+void Frame::to_world_direction(const double local[3], double world[3]) const {
   double turned[3];
   times(turn, local, turned);
-  aspi_add_scaled(turned, 1, shift, world);
+  aspi_copy(turned, world);
 }
 
 void Frame::to_local(const double world[3], double local[3]) const {
@@ -112,6 +117,29 @@ Twist::Twist() : angular{0, 0, 0}, linear{0, 0, 0} {}
 void Twist::velocity(const double x[3], double v[3]) const {
   aspi_cross(angular, x, v);
   aspi_add_scaled(v, 1, linear, v);
+}
+
+/* Rodrigues' formula, column by column. */
+Frame asperity::turn_about(const double point[3], const double axis[3], double angle) {
+  const double c = cos(angle), s = sin(angle);
+  Frame frame;
+  double turned[3];
+  for (int j = 0; j < 3; j++) {
+    double across[3];
+    aspi_cross(axis, Frame().turn[j], across);
+    for (int i = 0; i < 3; i++)
+      frame.turn[i][j] = (i == j ? c : 0) + s * across[i] + (1 - c) * axis[i] * axis[j];
+  }
+  frame.to_world_direction(point, turned);
+  aspi_subtract(point, turned, frame.shift);
+  return frame;
+}
+
+Twist asperity::twist_about(const double point[3], const double axis[3], double rate) {
+  Twist twist;
+  aspi_add_scaled(twist.angular, rate, axis, twist.angular);
+  aspi_cross(point, twist.angular, twist.linear);
+  return twist;
 }
 
 Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}
@@ -212,4 +240,24 @@ void Motion::acceleration(double s, const double x[3], const double v[3], double
   aspi_cross(angular, twice, turned);
   for (int d = 0; d < 3; d++)
     a[d] = (end[d] - begin[d]) / dt_ + turned[d];
+}
+
+void Motion::turn(double s, double axes[3][3], double omega[3]) const {
+  omega[0] = omega[1] = omega[2] = 0;
+  if (!moves_)
+    return;
+  const Frame begin = frame_at(s);
+  double still[3] = {0, 0, 0};
+  velocity(1, still, still);
+  for (int k = 0; k < 3; k++) {
+    double at[3], unit[3] = {0, 0, 0}, v[3], around[3];
+    aspi_add_scaled(begin.shift, 1, axes[k], at);
+    begin.to_local(at, at);
+    end_.to_world_direction(at, axes[k]);
+    unit[k] = 1; /* the curl of the velocity */
+    velocity(1, unit, v);
+    aspi_subtract(v, still, v);
+    aspi_cross(unit, v, around);
+    aspi_add_scaled(omega, 0.5, around, omega);
+  }
 }

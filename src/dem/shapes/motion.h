@@ -16,7 +16,8 @@ struct Frame {
   Frame(); /* world and local frame are the same */
   void to_world(const double local[3], double world[3]) const;
   void to_local(const double world[3], double local[3]) const;
-  bool is_world() const; /* to the bit */
+  void to_world_direction(const double local[3], double world[3]) const; /* without the shift */
+  bool is_world() const;                                                 /* to the bit */
 };
 
 /* The velocity of a point x of the shape is angular x x + linear. */
@@ -25,6 +26,10 @@ struct Twist {
   Twist();
   void velocity(const double x[3], double v[3]) const;
 };
+
+/* The turn by an angle about an axis (a unit vector) through a point, and that at a rate. */
+Frame turn_about(const double point[3], const double axis[3], double angle);
+Twist twist_about(const double point[3], const double axis[3], double rate);
 
 class Motion {
 public:
@@ -72,6 +77,10 @@ public:
    * from a plane of the shape, as far as it counts along the plane's normal: with V and omega the
    * shape's velocity at x and its angular velocity, dV/dt + omega x (2 v - V). */
   void acceleration(double s, const double x[3], const double v[3], double a[3]) const;
+
+  /* Turns axes, the rows, from the share s of the step to its end. omega: the angular velocity
+   * there. */
+  void turn(double s, double axes[3][3], double omega[3]) const;
 
 private:
   Frame screwed(double s) const;
