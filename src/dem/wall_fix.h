@@ -71,6 +71,16 @@ public:
     return box;
   }
 
+  Bounds bounds() const {
+    const auto *domain = program_->domain;
+    Bounds box;
+    for (int d = 0; d < 3; d++) {
+      box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
+      box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
+    }
+    return box;
+  }
+
 protected:
   Program *program_;
   Fix *fix_;
@@ -349,11 +359,7 @@ private:
     const auto *domain = this->program_->domain;
     auto *group = this->program_->group;
     const bool fixed = domain->nonperiodic < 2;
-    Bounds box;
-    for (int d = 0; d < 3; d++) {
-      box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
-      box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
-    }
+    const Bounds box = this->bounds();
     const int number = this->fix_->igroup;
     const bool empty = number > 0 && this->program_->atom->natoms > 0 && group->count(number) < 1;
     wall.check_use(fixed ? &box : NULL, empty ? group->names[number] : NULL);

@@ -1,20 +1,3 @@
-/* ----------------------------------------------------------------------
-   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
-   https://www.lammps.org/, Sandia National Laboratories
-   LAMMPS development team: developers@lammps.org
-
-   Copyright (2003) Sandia Corporation.  Under the terms of Contract
-   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
-   certain rights in this software.  This software is distributed under
-   the GNU General Public License.
-
-   See the README file in the top-level LAMMPS directory.
-------------------------------------------------------------------------- */
-
-/* ----------------------------------------------------------------------
-   Contributing author: the asperity developers
-------------------------------------------------------------------------- */
-
 /* fix wall/rebound; see fix_wall_rebound.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -208,13 +191,8 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
 }
 
 void FixWallRebound::report_mesh() const {
-  asperity::Bounds box;
-  for (int d = 0; d < 3; d++) {
-    box.lo[d] = domain->triclinic ? domain->boxlo_bound[d] : domain->boxlo[d];
-    box.hi[d] = domain->triclinic ? domain->boxhi_bound[d] : domain->boxhi[d];
-  }
   p_->print("fix " + p_->id() + " wall/rebound: " + p_->mesh->describe());
-  const std::string misfit = p_->mesh->misfit(box, p_->box().period);
+  const std::string misfit = p_->mesh->misfit(p_->bounds(), p_->box().period);
   if (!misfit.empty())
     p_->warn(misfit);
 }

@@ -11,12 +11,9 @@
 #include <climits>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
+#include <fstream>
 #include <string>
-#include <vector>
 
 #include "base/number.h"
 #include "dem/error.h"
@@ -27,58 +24,38 @@ using namespace asperity;
 namespace {
 
 const size_t HEAD = 84, RECORD = 50, NORMAL = 12, MOST = INT_MAX / 2;
-
-/* True if the text begins with the name, in small letters or large. */
-bool begins(const char *text, const char *name) {
-  for (; *name; text++, name++)
-    if (tolower(static_cast<unsigned char>(*text)) != *name)
-      return false;
-  return true;
-}
+const char BLANKS[] = " \t\r\v\f";
 
 class Stl {
 public:
-  Stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take);
+  Stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take)
+      : path_(path), take_(take), file_(path.c_str(), std::ios::binary), number_(0), triangle_(),
+        triangles_(0) {}
   void read();
 
 private:
-  enum State { OUTSIDE, SOLID, FACET, LOOP, LOOP_DONE };
-  struct Word { /* of a line */
-    const char *begin, *end;
-    bool is(const char *name) const { /* in small letters or large */
-      return strlen(name) == static_cast<size_t>(end - begin) && begins(begin, name);
-    }
-  };
-
   [[noreturn]] void fail(const std::string &must) const;
   void give();
   void read_binary(size_t count);
   void read_text();
   bool read_line();
-  void split_line();
-  void take_line();
-  void vertex();
+  bool is(const char *words) const;
+  void expect(const char *words);
+  void read_vertex(int corner);
 
   const std::string &path_;
   const std::function<void(const ContactTriangle &)> &take_;
-  std::unique_ptr<FILE, int (*)(FILE *)> file_;
+  std::ifstream file_;
   std::string line_; /* of a text */
-  std::vector<Word> words_;
-  int number_; /* of the line */
-  State state_;
+  int number_;       /* of the line */
   ContactTriangle triangle_;
-  int corners_;
   size_t triangles_;
 };
 
-Stl::Stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take)
-    : path_(path), take_(take), file_(fopen(path.c_str(), "rb"), fclose), number_(0),
-      state_(OUTSIDE), triangle_(), corners_(0), triangles_(0) {}
-
 void Stl::fail(const std::string &must) const {
-  throw Error(
-      text("STL file '%s', line %d: it says '%.80s'; ", path_.c_str(), number_, line_.c_str()) +
-      must);
+  throw Error(text("STL file '%s', line %d: it says '%.80s'; it must be ", path_.c_str(), number_,
+                   line_.c_str()) +
+              must);
 }
 
 void Stl::give() {
@@ -95,7 +72,7 @@ uint32_t number_at(const unsigned char *at) {
 
 void Stl::read_binary(size_t count) {
   unsigned char record[RECORD];
-  while (triangles_ < count && fread(record, RECORD, 1, file_.get()) == 1) {
+  while (triangles_ < count && file_.read(reinterpret_cast<char *>(record), RECORD)) {
     for (int k = 0; k < 9; k++) {
       const uint32_t bits = number_at(record + NORMAL + 4 * k);
       float value;
@@ -109,112 +86,107 @@ void Stl::read_binary(size_t count) {
   }
 }
 
-void Stl::vertex() {
-  if (words_.size() != 4)
-    fail("it must be 'vertex X Y Z'");
-  if (corners_ == 3)
-    fail("a facet must have three vertices, and this is its fourth");
-  for (int d = 0; d < 3; d++) {
-    char *end;
-    const double value = aspi_number(words_[d + 1].begin, &end);
-    if (end != words_[d + 1].end || !std::isfinite(value))
-      fail("the coordinates of a vertex must be finite numbers");
-    triangle_.node[corners_][d] = value;
-  }
-  corners_++;
-}
-
-/* A line may follow some others only. */
-void Stl::take_line() {
-  const Word &first = words_[0];
-  if (state_ == OUTSIDE && first.is("solid"))
-    state_ = SOLID;
-  else if (state_ == OUTSIDE)
-    fail("it must be 'solid NAME', with which a text begins");
-  else if (state_ == SOLID && first.is("endsolid"))
-    state_ = OUTSIDE;
-  else if (state_ == SOLID && first.is("facet"))
-    state_ = FACET;
-  else if (state_ == SOLID)
-    fail("it must be 'facet normal X Y Z' or 'endsolid'");
-  else if (state_ == FACET && words_.size() > 1 && first.is("outer") && words_[1].is("loop")) {
-    state_ = LOOP;
-    corners_ = 0;
-  } else if (state_ == FACET)
-    fail("it must be 'outer loop'");
-  else if (state_ == LOOP && first.is("vertex"))
-    vertex();
-  else if (state_ == LOOP && first.is("endloop") && corners_ == 3) {
-    state_ = LOOP_DONE;
-    give();
-  } else if (state_ == LOOP)
-    fail(text("it must be the facet's vertex %d of 3, 'vertex X Y Z'", corners_ + 1));
-  else if (first.is("endfacet"))
-    state_ = SOLID;
-  else
-    fail("it must be 'endfacet'");
-}
-
-void Stl::split_line() {
-  words_.clear();
-  for (const char *at = line_.c_str(), *from;; words_.push_back({from, at})) {
-    at += strspn(at, " \t\r\v\f");
-    if (!*at)
-      return;
-    from = at;
-    at += strcspn(at, " \t\r\v\f");
-  }
-}
-
-/* The next line, without its end. */
+/* The next line that is not blank, with one blank between words and none at its ends; false at the
+ * end of the file. */
 bool Stl::read_line() {
-  char piece[256];
-  line_.clear();
-  while (fgets(piece, sizeof piece, file_.get())) {
-    line_ += piece;
-    if (!line_.empty() && line_.back() == '\n') {
-      line_.erase(line_.find_last_not_of("\r\n") + 1);
-      return true;
+  std::string read;
+  while (std::getline(file_, read)) {
+    number_++;
+    line_.clear();
+    for (size_t at = 0, end; (at = read.find_first_not_of(BLANKS, at)) != std::string::npos;
+         at = end) {
+      end = std::min(read.find_first_of(BLANKS, at), read.size());
+      line_ += (line_.empty() ? "" : " ") + read.substr(at, end - at);
     }
+    if (!line_.empty())
+      return true;
   }
-  return !line_.empty();
+  return false;
+}
+
+/* True if the line begins with these words, in small letters or large. */
+bool Stl::is(const char *words) const {
+  const size_t length = strlen(words);
+  bool equal = line_.size() == length || (line_.size() > length && line_[length] == ' ');
+  for (size_t k = 0; k < length && equal; k++)
+    equal = tolower(static_cast<unsigned char>(line_[k])) == words[k];
+  return equal;
+}
+
+void Stl::expect(const char *words) {
+  if (!read_line())
+    throw Error(text("STL file '%s' ends at line %d within a facet; it must end with 'endsolid'",
+                     path_.c_str(), number_));
+  if (!is(words))
+    fail("'" + std::string(words) + "'");
+}
+
+void Stl::read_vertex(int corner) {
+  if (!read_line() || !is("vertex"))
+    fail(text("the facet's vertex %d of 3, 'vertex X Y Z'", corner + 1));
+  const char *at = line_.c_str() + strlen("vertex");
+  for (int d = 0; d < 3; d++) {
+    if (*at != ' ')
+      fail("'vertex X Y Z'");
+    char *end;
+    triangle_.node[corner][d] = aspi_number(at + 1, &end);
+    if (end == at + 1 || (*end && *end != ' ') || !std::isfinite(triangle_.node[corner][d]))
+      fail("'vertex X Y Z' of finite numbers");
+    at = end;
+  }
+  if (*at)
+    fail("'vertex X Y Z'");
 }
 
 void Stl::read_text() {
   while (read_line()) {
-    number_++;
-    split_line();
-    if (!words_.empty())
-      take_line();
+    if (!is("solid"))
+      fail("'solid NAME', with which a text begins");
+    for (;;) {
+      if (!read_line())
+        throw Error(text("STL file '%s' ends at line %d within a solid; it must end with "
+                         "'endsolid'",
+                         path_.c_str(), number_));
+      if (is("endsolid"))
+        break;
+      if (!is("facet"))
+        fail("'facet normal X Y Z' or 'endsolid'");
+      expect("outer loop");
+      for (int corner = 0; corner < 3; corner++)
+        read_vertex(corner);
+      expect("endloop");
+      expect("endfacet");
+      give();
+    }
   }
-  if (state_ != OUTSIDE)
-    throw Error(text("STL file '%s' ends at line %d within a %s; it must end with 'endsolid'",
-                     path_.c_str(), number_, state_ == SOLID ? "solid" : "facet"));
 }
 
 void Stl::read() {
   const auto fail_to_read = [this] {
     throw Error("STL file '" + path_ + "' cannot be read: " + strerror(errno));
   };
-  if (!file_ || fseek(file_.get(), 0, SEEK_END) != 0)
+  char head[HEAD] = "";
+  if (!file_.seekg(0, std::ios::end))
     fail_to_read();
-  const double length = static_cast<double>(ftell(file_.get()));
-  rewind(file_.get());
-  unsigned char head[HEAD];
-  const bool has_head = fread(head, HEAD, 1, file_.get()) == 1;
-  const size_t count = has_head ? number_at(head + HEAD - 4) : 0;
+  const double length = static_cast<double>(file_.tellg());
+  file_.seekg(0);
+  file_.read(head, HEAD);
+  const bool has_head = file_.gcount() == HEAD;
+  const size_t count = has_head ? number_at(reinterpret_cast<unsigned char *>(head) + HEAD - 4) : 0;
   const double bytes = static_cast<double>(HEAD) + RECORD * static_cast<double>(count);
+  line_.assign(head, strlen("solid"));
   if (has_head && !(bytes > length) && !(bytes < length))
     read_binary(count);
-  else if (has_head && !begins(reinterpret_cast<char *>(head), "solid"))
+  else if (has_head && !is("solid"))
     throw Error(text("STL file '%s' is no text that begins with 'solid', and has %.0f bytes; a "
                      "binary one of %zu triangles, as it says, must have %.0f",
                      path_.c_str(), length, count, bytes));
   else {
-    rewind(file_.get());
+    file_.clear();
+    file_.seekg(0);
     read_text();
   }
-  if (ferror(file_.get()))
+  if (file_.bad())
     fail_to_read();
   if (triangles_ == 0)
     throw Error("STL file '" + path_ + "' has no triangles; it must have one or more");

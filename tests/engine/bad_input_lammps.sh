@@ -45,7 +45,7 @@ sed '4s/.*/vertex 1 2/' plate.stl > corner.stl;            bad_stl corner.stl "l
 sed '4s/.*/vertex 1 2 here/' plate.stl > word.stl;         bad_stl word.stl "line 4" "'vertex 1 2 here'" "finite numbers"
 sed '4s/.*/vertex 1 2 nan/' plate.stl > nan.stl;           bad_stl nan.stl "line 4" "finite numbers"
 sed '5d' plate.stl > two.stl;                              bad_stl two.stl "line 6" "vertex 3 of 3"
-sed '5s/.*/&\n&/' plate.stl > four.stl;                    bad_stl four.stl "line 7" "fourth"
+sed '5s/.*/&\n&/' plate.stl > four.stl;                    bad_stl four.stl "line 7" "must be 'endloop'"
 head -n 6 plate.stl > cut.stl;                             bad_stl cut.stl "line 6" "endsolid"
 printf 'solid s\nendsolid s\n' > none.stl;                 bad_stl none.stl "no triangles"
 printf 'sphere 1 2 3\n' > other.stl;                       bad_stl other.stl "line 1" "'sphere 1 2 3'" "'solid NAME'"
