@@ -11,11 +11,11 @@
 #include "error.h"
 #include "group.h"
 #include "input.h"
+#include "memory.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"
 
-#include "atom_rows.h"
 #include "bodies_lammps.h"
 #include "driven_mesh.h"
 #include "engine_checks.h"
@@ -26,6 +26,7 @@
 #include "dem/shapes/primitive.h"
 #include "dem/text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <cstring>
@@ -35,11 +36,12 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using asperity::AtomRows;
 using asperity::Books;
 using asperity::text;
 using asperity::Wall;
 using asperity::Words;
+
+static const int SAVED_MOST = 1 + Wall::N_STATE + asperity::PACKED_MOST;
 
 static const char CITE[] =
     "fix wall/rebound command: doi:10.33737/jgpps/118624\n\n"
@@ -59,7 +61,6 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   asperity::MapFile map;
   asperity::DrivenMesh *mesh; /* the wall's shape, or NULL */
   RegionShape *region;        /* the same */
-  AtomRows rows;
   BodiesOfLammps of_bodies;
   bigint last_step; /* that the wall knows of */
   bool steps;       /* this run has steps, which a rerun has not */
@@ -68,8 +69,8 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   int type;     /* of the wall */
 
   Parts(LAMMPS *lammps, Fix *fix)
-      : WallFix(lammps, fix), mesh(NULL), region(NULL), rows(wall), of_bodies(lammps, fix),
-        last_step(0), steps(false), from_restart(false), restarted(false), stuck(0), type(0) {}
+      : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix), last_step(0),
+        steps(false), from_restart(false), restarted(false), stuck(0), type(0) {}
 
   void fail_at(const std::string &file, int line, const std::string &what) const {
     program_->error->all(file, line, "Fix wall/rebound (id " + id() + "): " + what);
@@ -85,7 +86,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
       fail_at(file, line, wrong);
   }
   void set_rows() override {
-    rows.set_rows();
+    wall.set_rows(fix_->array_atom ? fix_->array_atom[0] : NULL);
   }
   asperity::BodySource *bodies() override {
     return &of_bodies;
@@ -138,11 +139,13 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
   p_->set_flags();
   restart_peratom = create_attribute = 1;
   wd_header = 1;
-  maxexchange = AtomRows::MOST;
+  maxexchange = Wall::N_STATE + asperity::PACKED_MOST;
   comm_forward = BodiesOfLammps::SENT;
   peratom_flag = peratom_freq = 1;
-  size_peratom_cols = AtomRows::STATE;
+  size_peratom_cols = Wall::N_STATE;
   FixWallRebound::grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; i++)
+    FixWallRebound::set_arrays(i);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
@@ -153,6 +156,7 @@ FixWallRebound::~FixWallRebound() {
     p_->report_loss();
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(array_atom);
   delete p_;
 }
 
@@ -330,7 +334,7 @@ double FixWallRebound::compute_array(int row, int column) {
 }
 
 double FixWallRebound::memory_usage() {
-  return p_->wall.bytes() + p_->rows.bytes();
+  return p_->wall.bytes() + static_cast<double>(atom->nmax * sizeof(double) * Wall::N_STATE);
 }
 
 void FixWallRebound::write_restart(FILE *file) {
@@ -359,43 +363,53 @@ void FixWallRebound::unpack_forward_comm(int n, int first, double *buffer) {
   p_->of_bodies.unpack(n, first, buffer);
 }
 
-/* ---- numbers of each atom ---------------------------------------------------------------------
+/* ---- numbers of each atom: in rows, which LAMMPS shows, and in memories
+ * --------------------------
  */
 
 void FixWallRebound::grow_arrays(int n) {
-  p_->rows.grow(n);
-  array_atom = p_->rows.states();
+  memory->grow(array_atom, n, Wall::N_STATE, "wall/rebound:array_atom");
+  p_->wall.stepper.rows.grow(n);
+  p_->set_rows();
 }
 
 void FixWallRebound::copy_arrays(int from, int to, int) {
-  p_->rows.copy(from, to);
+  std::copy_n(array_atom[from], int{Wall::N_STATE}, array_atom[to]);
+  p_->wall.stepper.rows.copy(from, to);
 }
 
 void FixWallRebound::set_arrays(int i) {
-  p_->rows.clear(i);
+  std::fill_n(array_atom[i], int{Wall::N_STATE}, 0.0);
+  p_->wall.stepper.rows.clear(i);
 }
 
 int FixWallRebound::pack_exchange(int i, double *buffer) {
-  return p_->rows.pack(i, buffer);
+  std::copy_n(array_atom[i], int{Wall::N_STATE}, buffer);
+  return Wall::N_STATE + p_->wall.stepper.rows.pack(i, buffer + Wall::N_STATE);
 }
 
 int FixWallRebound::unpack_exchange(int i, double *buffer) {
-  return p_->rows.unpack(i, buffer);
+  std::copy_n(buffer, int{Wall::N_STATE}, array_atom[i]);
+  return Wall::N_STATE + p_->wall.stepper.rows.unpack(i, buffer + Wall::N_STATE);
 }
 
+/* The first number is the count, including itself. */
 int FixWallRebound::pack_restart(int i, double *buffer) {
-  return p_->rows.save(i, buffer);
+  const int count = 1 + pack_exchange(i, buffer + 1);
+  buffer[0] = count;
+  return count;
 }
 
 void FixWallRebound::unpack_restart(int i, int nth) {
-  p_->rows.restore(i, atom->extra[i], nth);
+  const double *saved = asperity::Memories::part(atom->extra[i], nth);
+  unpack_exchange(i, const_cast<double *>(saved) + 1);
 }
 
 int FixWallRebound::size_restart(int i) {
-  double packed[AtomRows::SAVED_MOST];
-  return p_->rows.save(i, packed);
+  double packed[SAVED_MOST];
+  return pack_restart(i, packed);
 }
 
 int FixWallRebound::maxsize_restart() {
-  return AtomRows::SAVED_MOST;
+  return SAVED_MOST;
 }
