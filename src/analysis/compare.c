@@ -14,8 +14,9 @@
 /* With fewer impacts than this at a place, those near it count too. */
 enum { ENOUGH = 20 };
 
-/* With this many measurements per place on average, every place is a bin of its own. */
+/* Every place is a bin of its own if nearly all places, this share, have this many measurements. */
 enum { ROWS_EACH = 4 };
+#define NEARLY_ALL 0.9
 
 /* How many of the points, which are in order of their angle, lie below it. */
 static size_t count_below(const aspi_scatter *impacts, double angle) {
@@ -43,11 +44,16 @@ static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
-static size_t count_places(const aspi_scatter *data) {
-  size_t places = 0;
-  for (size_t i = 0; i < data->count; i++)
-    places += i == 0 || !same_place(&data->rows[i], &data->rows[i - 1]);
-  return places;
+/* Whether places were measured again and again. A ledger of a curved wall has some such places, and
+ * many that were hit once. */
+static bool is_of_places(const aspi_scatter *data) {
+  size_t places = 0, often = 0;
+  for (size_t i = 0, rows = 0; i < data->count; i++) {
+    rows = i > 0 && same_place(&data->rows[i], &data->rows[i - 1]) ? rows + 1 : 1;
+    places += rows == 1;
+    often += rows == ROWS_EACH;
+  }
+  return (double)often >= NEARLY_ALL * (double)places;
 }
 
 static asp_code no_memory(size_t count, asp_error *error) {
@@ -65,7 +71,7 @@ static void describe_place(const aspi_scatter *data, aspi_compare_bin *on) {
 
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error) {
   const aspi_scatter *data = &c->data;
-  bool places = !data->means && !given && data->count >= ROWS_EACH * count_places(data);
+  bool places = !data->means && !given && is_of_places(data);
   c->bins = calloc(data->count + 1, sizeof *c->bins);
   if (!c->bins)
     return no_memory(data->count, error);

@@ -166,8 +166,11 @@ static asp_code read_spacing(aspi_words *r, const char *heights) {
     snprintf(list + used, sizeof list - used, "%s%s %s", used ? ", " : "", spacings[i].name,
              aspi_keyword_find("surface", spacings[i].name)->values);
   }
-  return aspi_fail(r->error, ASP_EARG, "behind 'surface %s', one of these is expected: %s", heights,
-                   list);
+  return aspi_fail(
+      r->error, ASP_EARG,
+      "behind 'surface %s', one of these is expected: %s; if you know only the height, "
+      "see the page src/wall/from_a_drawing.md",
+      heights, list);
 }
 
 static asp_code read_heights(aspi_words *r, const char *heights) {

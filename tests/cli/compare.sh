@@ -160,6 +160,10 @@ done
 "$asperity" compare aloneledger | rows /dev/stdin | cut -d, -f1,7,8 | sed 's/0*\([0-9]e\)/\1/g' | cut -d, -f1,2 | cmp - <(rows got | cut -d, -f1,7) || die "compare LEDGER"
 "$asperity" cor $wall --angles 1:90:0.5 --samples 2 | "$asperity" compare - --bin 30 > got
 [ "$(rows got | grep '^deposits' | cut -d, -f7 | paste -sd,)" = 116,120,122 ] || die "compare - by intervals: $(cat got)"
+# A ledger of a curved wall: flat triangles are hit many times at the same angle, others once. They are not places.
+{ "$asperity" cor $wall --angles 20:60:2 --samples 30; "$asperity" cor $wall --angles 20.1:60:0.5 --samples 1 | grep '^[0-9]'; } > curved
+"$asperity" compare curved --plot curved.svg > got
+[ "$(rows got | grep '^deposits' | cut -d, -f7 | paste -sd,)" = 170,170,170,170,30 ] || die "compare LEDGER of a curved wall: $(head -n 20 got)"
 
 # Bad usage; no input is written over.
 refuses 2 "--near has no effect without DATA" -- compare aloneown --near 3

@@ -316,6 +316,7 @@ static void bad_values_are_named(void **state) {
   refuses("surface rq 5um sdq 0.2", "rdq S, rsm L", "");
   refuses("surface sq 5um rsm 0.3mm", "sdq S, sal L", "");
   refuses("surface ra 5um", "behind 'surface ra'", "rdq");
+  refuses("surface rq 5um", "behind 'surface rq'", "src/wall/from_a_drawing.md");
   refuses("surface rq 5um rdq -0.2", "rdq is -0.2", "> 0");
   refuses("surface rq 5um rdq 10um", "rdq is '10um'", "deg rad");
   refuses("surface rq 5um rsm 26um sampling 0.8mm", "rsm is 0.0325 of the sampling length", "rdq");

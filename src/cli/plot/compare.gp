@@ -10,7 +10,8 @@ of(t, v) = strcol('quantity') eq (t ? 'cor_t' : 'cor_n') ? v : NaN
 zero(v) = is(v) ? v : 0
 # Half the width of a box: not over its neighbor.
 half = 1.5; last = NaN
-near(a) = (half = a - last > 0 ? min(half, 0.45 * (a - last)) : half, last = a, take(a))
+near(a) = (half = a - last > 0 ? min(half, 0.45 * (a - last)) : half, last = a, take(of(0, column('alpha_from_deg'))), \
+  take(of(0, column('alpha_to_deg'))))
 @survey
 stats table using (near(of(0, column('alpha1_deg')))) nooutput
 first = least - 2; end = most + 2
