@@ -1,8 +1,7 @@
-# From a run's log and the triangles' depth of erosion in its mesh/vtk file to the quadrilaterals of the blade's surface,
-# for gnuplot (position along the chord, negative on the suction side; span / mm; depth / nm), in the file `map`; the mean
-# depth over the chord of the pressure side, in the file `chord`; and one line: the mass worn off / ug, and mean depths / nm
-# of the nose, of the pressure side behind 30 % of the chord, and of its last 15 %.
-#   awk -f blade.awk -f wear.awk -v map=smooth.worn -v chord=smooth.wear smooth.log smooth.30000.vtk
+# From a run's log and the triangles' depth of erosion in its mesh/vtk file: the mean depth / nm over the chord of the
+# pressure side, in the file `chord`, and one line: the mass worn off / ug, and mean depths / nm of the nose, of the
+# pressure side behind 30 % of the chord, and of its last 15 %.
+#   awk -f blade.awk -f wear.awk -v chord=smooth.wear smooth.log smooth.30000.vtk
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN { set_up() }
 FILENAME ~ /log$/ { if ($1 == 30000) worn = $7 * 1e9; next }
@@ -14,8 +13,6 @@ END {
   for (j = 0; j < NS; j++)
     for (i = 0; i < LOOP; i++) {
       d = depth[j * LOOP + i]; s = (position(i) + position(i + 1)) / 2
-      print position(i), SPAN * j / NS * 1e3, d "\n" position(i + 1), SPAN * j / NS * 1e3, d "\n" > map
-      print position(i), SPAN * (j + 1) / NS * 1e3, d "\n" position(i + 1), SPAN * (j + 1) / NS * 1e3, d "\n\n" > map
       of[i] += d / NS
       if (s < 0.05 && s > -0.05) { n++; front += d }
       if (s > 0.3) { m++; back += d }
