@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 here = ''; do for [i=1:strlen(ARG0)] { if (ARG0[i:i] eq '/') { here = ARG0[1:i] } }
 array given[5] = [ARG1, ARG2, ARG3, ARG4, ARG5]
-width = 1200; height = 520
+width = 960; height = 440
 load here.'picture.gp'
 POINTS = 20000.; BIN = 2; BINS = 46
 array n[BINS]; array total[BINS]; array squares[BINS]; array angles[BINS]
