@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every command in the Examples of the fix's page runs as it stands there, and so does the script of README.md; and the
-# page has every keyword in a table.
+# page, or that of both engines, has every keyword in a table.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 page=$here/../../src/liggghts/fix_wall_rebound.md
@@ -67,5 +67,5 @@ words=$(sed -n "s/.*'nonsense' is unknown; there are: \([a-z_ ]*\).*/\1/p" words
 [ "$(wc -w <<< "$words")" -ge 10 ] || die "the fix names $words"
 [ $simulator = liggghts ] || words+=' shear type scale move'
 for word in $words; do
-  grep -qF -e "   * - \`\`$word\`\`" -e "| \`$word\` |" "$page" || die "the page has no table with '$word'"
+  grep -qF -e "   * - \`\`$word\`\`" -e "| \`$word\` |" "$page" "$here/../../src/dem/fix.md" || die "the page has no table with '$word'"
 done
