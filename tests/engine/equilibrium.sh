@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # A granular gas in equilibrium: elastic grains that do not meet, in a closed box of rough walls, stay uniform and
 # isotropic with the default model, and not with the paper's. `equilibrium.sh liggghts long [SPREAD ...]`,
-# or lammps, prints the table of choosing.md: for each spread the density within 5 % of the box from a wall over the mean
+# or lammps, prints the table of tests/sweep/README.md: for each spread the density within 5 % of the box from a wall over
+# the mean
 # density, of a box of six rough walls, and v_x^2 and v_z^2 of a box whose bottom z alone is rough; each with its
 # standard error.
 # SPDX-License-Identifier: GPL-3.0-or-later

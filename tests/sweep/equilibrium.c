@@ -7,7 +7,7 @@
  * the plane (dimension 2), the cosine is uniform over -1 ... 1, and must be. Printed is the largest
  * distance of the distribution that comes out from the uniform one (Kolmogorov's), of which
  * sampling alone makes up to 0.87/sqrt(impacts). The short run checks the models that have the
- * property, and that the paper's choice does not; the long one prints the table of choosing.md.
+ * property, and that the paper's choice does not; the long one prints the table of README.md.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_internal.h"

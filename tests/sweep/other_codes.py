@@ -1,4 +1,4 @@
-"""The same wall in other codes: the table of choosing.md. R_q 5 um, lambda_c 40 um, spheres of 10 um
+"""The same wall in other codes: the table of README.md. R_q 5 um, lambda_c 40 um, spheres of 10 um
 that arrive in the plane of incidence, law walton 0.9 0.3 0; mean tilt of the first face and means
 of CoR_N and CoR_T over all impacts, with standard errors from 16 groups.
 
