@@ -7,6 +7,7 @@ set palette defined (0 '#c6dbef', 0.4 '#4292c6', 0.7 '#f16913', 1 '#7f2704')
 set cbrange [0:0.8]
 set cblabel 'speed / (m/s)'
 unset key; unset grid
+set bmargin 4
 set multiplot layout 1,2
 set size ratio -1
 set xtics 10
