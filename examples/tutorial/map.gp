@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set term pngcairo size 1000,600 font 'sans,16'
 set output 'map.png'
-unset border; unset tics; unset key
+unset border; unset xtics; unset ytics; unset ztics; unset key
 set view 125, 20
 set view equal xyz
 set pm3d depthorder corners2color c1 lighting primary 0.45 specular 0.15
 set palette defined (0 '#f4f4f4', 0.25 '#c6dbef', 0.5 '#6baed6', 1 '#08519c')
+set cbtics 20
 set cblabel 'impacts per mm^2'
 set label 'orange: deposits' at screen 0.5, 0.05 center textcolor '#d55e00'
 set multiplot
