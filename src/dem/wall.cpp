@@ -250,8 +250,6 @@ void Wall::restore(const char *record) {
   if (setup.engine.rank() == 0) /* from which they are claimed */
     stepper.body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {
       Stepper::renumber(shape_now_, state, memory);
-      memory.rests.clear(); /* its first flight finds its walls */
-      state.status = state.status < 0 ? 0 : state.status;
     });
 }
 

@@ -57,6 +57,10 @@ const double NEAR = 0.01;
  */
 const double ROUNDED = 1e-5;
 
+/* The same for a mover that stays at a wall: GAP radii too deep, it is at the edges of the next
+ * faces, whose normals are off by sqrt(2 GAP) there, with GAP = 1e-10. */
+const double ON_EDGES = 1.5e-5;
+
 /* Contacts of several spheres are at one instant if the gap between them is less than this share of
  * the radius. */
 const double AT_ONCE = 1e-6;
@@ -294,7 +298,8 @@ static bool is_sustained(Site &site, bool &arrives) {
       falls += std::max(0.0, -aspi_dot(turns, contact.n));
   }
   arrives = approach > 0 && !stayed;
-  return again || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * falls, GRAZING * speed));
+  const double least = (stayed ? ON_EDGES : GRAZING) * speed;
+  return again || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * falls, least));
 }
 
 /* Applies the wall's law to a contact; the event is the last one then. */
