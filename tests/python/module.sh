@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The module asperity beside the built library: where no program is in the path, and so no compiler; where the library
 # is missing, or one of another version; installed by pip without network, from the source tree and from an installed
-# prefix, which pip leaves as they were. Usage: module.sh BUILD
+# prefix, which pip leaves as they were. Usage: module.sh BUILD [install]: what pip installs, in place of the rest
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 build=$(cd "$1" && pwd)
@@ -23,13 +23,16 @@ run() {
 }
 import() { env -i PATH="$work/empty" PYTHONPATH="$source_dir" PYTHONDONTWRITEBYTECODE=1 "$@" "$python" -c 'import asperity' 2>&1; }
 
+version=$(sed -n 's/^__version__ = "\(.*\)"/\1/p' "$source_dir/asperity/__init__.py")
+if [ "${2:-}" != install ]; then
 run "$source_dir" "$all" ASPERITY_LIBRARY="$library"
 ! import ASPERITY_LIBRARY=/no/library > "$work/log" || die "imported without a library"
 grep -q 'libasperity.so.1 is not there.*looked at /no/library' "$work/log" || { cat "$work/log"; die "a missing library"; }
-version=$(sed -n 's/^__version__ = "\(.*\)"/\1/p' "$source_dir/asperity/__init__.py")
 sed "s/$version\x00/8.8.8\x00/" "$library" > "$work/other.so"
 ! import ASPERITY_LIBRARY="$work/other.so" > "$work/log" || die "imported with a library of another version"
 grep -q "is asperity 8.8.8, and the module $version" "$work/log" || { cat "$work/log"; die "a library of another version"; }
+exit
+fi
 
 "$python" -m pip --version > /dev/null 2>&1 || die "no pip: apt-get install python3-pip"
 # install FOLDER [NAME=VALUE ...]: with pip, and the tests with what it installed.
