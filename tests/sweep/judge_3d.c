@@ -12,10 +12,22 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PER_LAMBDA = 20, HITS_MOST = 64 };
 
-/* The specular rebound from a face with that gradient. */
+/* The rebound from a face with that gradient, by the law. False: the particle sticks. */
+static bool rebound(const surfaces *subject, double v[3], const double gradient[2]) {
+  double square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1], m = 1 / sqrt(square);
+  const asp_particle particle = {.d_p = subject->d_p, .density = subject->density};
+  const double n[3] = {-gradient[0] * m, -gradient[1] * m, m};
+  asp_impact impact;
+  asp_wall_impact_mean(subject->law, &particle, v, n, &(asp_key){.seed = 1}, &impact);
+  memcpy(v, impact.v2, sizeof impact.v2);
+  return impact.outcome == ASP_REBOUND;
+}
+
+/* The specular rebound. */
 static void reflect(double v[3], const double gradient[2]) {
   double m[3] = {-gradient[0], -gradient[1], 1};
   double square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];
@@ -25,18 +37,20 @@ static void reflect(double v[3], const double gradient[2]) {
 }
 
 /* One particle from its first hit on. */
-static void fly_on(const aspi_dilated_map *field, size_t row, const line_spot *spot, double alpha1,
-                   aspi_angles *angles) {
+static void fly_on(const aspi_dilated_map *field, const surfaces *subject, size_t row,
+                   const line_spot *spot, double alpha1, aspi_angles *angles) {
   size_t at = row * field->columns + spot->face;
   double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
+  double speed = subject->law ? subject->speed : 1;
   aspi_flight flight = {{spot->x, (double)row * field->step[1], spot->z},
-                        {cos(alpha1), 0, -sin(alpha1)}};
-  int hits = 1;
-  reflect(flight.v, gradient);
-  while (hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient)) {
-    reflect(flight.v, gradient);
-    hits++;
-  }
+                        {speed * cos(alpha1), 0, -speed * sin(alpha1)}};
+  int hits = 0;
+  do {
+    if (!subject->law)
+      reflect(flight.v, gradient);
+    else if (!rebound(subject, flight.v, gradient))
+      return;
+  } while (++hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient));
   aspi_angles_add(angles, flight.v, tilt, hits);
 }
 
@@ -73,10 +87,10 @@ void line_hits(const aspi_line *line, double fall, const double *share, size_t c
     spots[k] = (line_spot){n - 1, line->end_x[n - 1], line->end_z[n - 1]};
 }
 
-static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t count, size_t rays,
-                    uint32_t seed, aspi_angles *angles, asp_error *error) {
+static asp_code fly(const aspi_dilated_map *field, const surfaces *subject, const double *degrees,
+                    size_t count, uint32_t seed, aspi_angles *angles, asp_error *error) {
   aspi_line line;
-  size_t per_row = (rays + field->rows - 1) / field->rows;
+  size_t per_row = (subject->rays / 2 + field->rows - 1) / field->rows;
   asp_code code = aspi_line_create(&line, field->columns, field->step[0], error);
   if (code)
     return code;
@@ -92,7 +106,7 @@ static asp_code fly(const aspi_dilated_map *field, const double *degrees, size_t
       draw_places(&stream, share, per_row);
       line_hits(&line, tan(alpha1), share, per_row, spots);
       for (size_t k = 0; k < per_row; k++)
-        fly_on(field, row, &spots[k], alpha1, &angles[i]);
+        fly_on(field, subject, row, &spots[k], alpha1, &angles[i]);
     }
   }
   free(share);
@@ -134,10 +148,10 @@ static asp_code fly_both_ways(const surfaces *subject, uint32_t seed, const doub
   asp_code code = make_field(&field, subject, seed, error);
   if (code)
     return code;
-  code = fly(&field, degrees, count, subject->rays / 2, seed, angles, error);
+  code = fly(&field, subject, degrees, count, seed, angles, error);
   aspi_dilated_map_turn(&field);
   if (!code)
-    code = fly(&field, degrees, count, subject->rays / 2, ~seed, angles, error);
+    code = fly(&field, subject, degrees, count, ~seed, angles, error);
   aspi_dilated_map_free(&field);
   return code;
 }

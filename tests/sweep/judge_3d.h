@@ -17,6 +17,10 @@ struct surfaces {
   size_t groups, rays, points; /* points: a power of two */
   uint32_t seed;
   bool crests; /* they have sharp ones; see dilated_map.h */
+  /* A smooth wall with the law of each hit, for particles of this density and speed; those that
+   * stick do not count as rebounds. NULL: hits are specular. */
+  const asp_wall *law;
+  double density, speed;
   /* Makes one, periodic; NULL: a Gaussian one. */
   asp_map *(*make)(const surfaces *subject, const double step[2], size_t points, uint32_t seed);
 };

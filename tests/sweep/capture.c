@@ -1,0 +1,83 @@
+/* The share of particles that stick to a rough wall, by its models and by geometry: spheres that
+ * are followed over generated surfaces from hit to hit, each by the rebound law.
+ *
+ * `capture R_Q LAMBDA_C D_P SPEED ANGLE [SURFACES [SAMPLES]]`, in um, m/s and degrees, of quartz on
+ * Ti-6Al-4V: a row for the geometry and for each model.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "asperity_internal.h"
+#include "base/running.h"
+#include "judge_3d.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define LAW "rebound bons materials quartz ti-6al-4v"
+static const double DENSITY = 2650;
+enum { POINTS = 1024, RAYS = 8 * POINTS };
+
+static void must(bool good, const asp_error *error) {
+  if (good)
+    return;
+  fprintf(stderr, "capture: %s\n", error->text);
+  exit(2);
+}
+
+static asp_wall *wall_of(const char *text, double d_p) {
+  asp_error error;
+  asp_wall *wall = asp_wall_from_text(text, d_p, d_p, &error);
+  must(wall, &error);
+  return wall;
+}
+
+static void tell(const char *what, double share, double error) {
+  printf("%s,%.5f,%.5f\n", what, share, error);
+  fflush(stdout);
+}
+
+int main(int argc, char **argv) {
+  if (argc < 6)
+    return fputs("usage: capture R_Q LAMBDA_C D_P SPEED ANGLE [SURFACES [SAMPLES]]\n", stderr), 2;
+  double r_q = 1e-6 * atof(argv[1]), lambda_c = 1e-6 * atof(argv[2]), d_p = 1e-6 * atof(argv[3]);
+  double speed = atof(argv[4]), degrees = atof(argv[5]), angle = degrees * ASP_PI / 180;
+  int groups = argc > 6 ? atoi(argv[6]) : 8, samples = argc > 7 ? atoi(argv[7]) : 100000;
+  asp_wall *law = wall_of("surface smooth " LAW, d_p);
+  surfaces subject = {.wall = {r_q, lambda_c, lambda_c, 0},
+                      .d_p = d_p,
+                      .groups = (size_t)groups,
+                      .rays = 2 * RAYS,
+                      .points = POINTS,
+                      .seed = 1,
+                      .law = law,
+                      .density = DENSITY,
+                      .speed = speed};
+  aspi_judge judge;
+  asp_error error;
+  must(!judge_in_space(&judge, &subject, &degrees, 1, &error), &error);
+  aspi_running stuck = {0, 0, 0};
+  for (int g = 0; g < groups; g++)
+    aspi_running_add(&stuck, 1 - judge.angles[g].n / (2 * RAYS));
+  puts("model,share_that_sticks,standard_error");
+  tell("geometry", stuck.mean, aspi_running_sd(&stuck) / sqrt(groups));
+  static const char *const models[] = {"visible isotropic", "profile isotropic", "traced isotropic",
+                                       "visible plane",     "profile plane",     "traced plane"};
+  for (size_t m = 0; m < sizeof models / sizeof *models; m++) {
+    char text[200];
+    snprintf(text, sizeof text, "surface rq %.17g lambda_c %.17g spread %s " LAW, r_q, lambda_c,
+             models[m]);
+    asp_wall *wall = wall_of(text, d_p);
+    const asp_particle particle = {.d_p = d_p, .density = DENSITY};
+    const double v[3] = {speed * cos(angle), 0, -speed * sin(angle)}, n[3] = {0, 0, 1};
+    double count = 0;
+    for (int i = 0; i < samples; i++) {
+      asp_impact impact;
+      asp_wall_impact(wall, &particle, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+      count += impact.outcome == ASP_DEPOSIT;
+    }
+    tell(models[m], count / samples, sqrt(count * (1 - count / samples)) / samples);
+    asp_wall_free(wall);
+  }
+  aspi_judge_free(&judge);
+  asp_wall_free(law);
+}
