@@ -180,6 +180,16 @@ static void has_no_sampling(const asp_question *q, char *text, size_t size) {
              in_si(q, length / aspi_r_sm_factor(ASPI_RSM_LEAST), "length").text);
 }
 
+static void holds_nothing(const asp_question *q, char *text, size_t size) {
+  const aspi_flow *flow = &q->words->choice.flow;
+  double d_p = q->largest->d_p;
+  if (flow->density > 0 && d_p > 0 && !(aspi_flow_adhesion(flow, d_p) > 0))
+    snprintf(text, size,
+             "'remove' takes away at once what particles of diameter %s leave on the wall: from 70 "
+             "um on the median of adhesion by the size is 0; state 'adhesion'",
+             in_si(q, d_p, "length").text);
+}
+
 /* ---- the wall that was made ---- */
 
 static void has_odd_heights(const asp_question *q, char *text, size_t size) {
@@ -214,11 +224,10 @@ static void draws_from_gaussian(const asp_question *q, char *text, size_t size) 
 }
 
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
-  static ask *const doubts[] = {is_high,         rubs_much,           is_soft,
-                                has_no_sampling, has_odd_heights,     is_coarse,
-                                is_rough_twice,  draws_from_gaussian, has_other_density,
-                                particle_in_gpa, wall_in_gpa,         yields_never,
-                                sticks_always};
+  static ask *const doubts[] = {
+      is_high,         rubs_much,     is_soft,        has_no_sampling,     has_odd_heights,
+      is_coarse,       holds_nothing, is_rough_twice, draws_from_gaussian, has_other_density,
+      particle_in_gpa, wall_in_gpa,   yields_never,   sticks_always};
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;

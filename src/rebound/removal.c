@@ -15,6 +15,11 @@
 
 #include <math.h>
 
+double aspi_flow_adhesion(const aspi_flow *flow, double d_p) {
+  double median = 0.016 - 0.0023 * pow(0.5 * d_p / flow->micron, 0.545);
+  return flow->adhesion > 0 ? flow->adhesion : fmax(median, 0);
+}
+
 asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
                               const asp_key *key) {
   double u_tau = particle->u_tau > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
@@ -23,9 +28,9 @@ asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particl
   if (!(flow->density > 0) || !(u_tau > 0) || !particle->pair)
     return out;
   double r = particle->d_p / 2, micron = r / flow->micron, in_wall = r * u_tau / nu;
-  double median = flow->adhesion > 0 ? flow->adhesion : 0.016 - 0.0023 * pow(micron, 0.545);
   double spread = flow->spread > 0 ? flow->spread : 1.8 + 0.136 * pow(micron, 1.4);
-  double share = fmax(median, 0) * exp(aspi_stream_normal(&stream) * log(spread));
+  double share =
+      aspi_flow_adhesion(flow, particle->d_p) * exp(aspi_stream_normal(&stream) * log(spread));
   double adhesion = 1.5 * ASP_PI * particle->pair->surface_energy * r * share;
   double mean = 10.45 * flow->density * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
   double x = (adhesion - mean) / (sqrt(2) * 0.2 * mean), below = 0.5 * erfc(-x);

@@ -16,6 +16,9 @@ typedef struct aspi_flow {
   double micron;           /* in the units of the lengths */
 } aspi_flow;
 
+/* The median of the share of smooth contact for a diameter; 0: nothing holds. */
+double aspi_flow_adhesion(const aspi_flow *flow, double d_p);
+
 /* The rate at which it takes a deposit away, and when the deposit goes: see asp_wall_removal. */
 asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
                               const asp_key *key);

@@ -523,6 +523,13 @@ static void odd_constants_are_doubted(void **state) {
   assert_string_equal(text, "");
   doubts(text, "deposit off", 1e-9, 2650, 70e9);
   assert_string_equal(text, "");
+#define FLOW "deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5 "
+  doubts(text, FLOW, 69e-6, 2650, 70e9);
+  assert_string_equal(text, "");
+  doubts(text, FLOW, 71e-6, 2650, 70e9);
+  assert_non_null(strstr(text, "takes away at once what particles of diameter 7.1e-05 m leave"));
+  doubts(text, FLOW "adhesion 0.01", 71e-6, 2650, 70e9);
+  assert_string_equal(text, "");
   doubts(text, "surface rq 5 lambda_c 40 friction 30", 20e-6, 2650, 70e9);
   assert_non_null(strstr(text, "rq is 5"));
   assert_non_null(strstr(text, "friction is 30"));
