@@ -314,6 +314,9 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
 typedef struct asp_valley {
   double start;  /* tangent of the slope at which the particle starts to move */
   double height; /* of the lowest crest around it over its bottom: a length */
+  /* Where a particle is that has fallen into it: its way from the crest ahead, over that from crest
+   * to crest; and how far the valley rises across that way. */
+  double place, rise;
 } asp_valley;
 
 /* Draws a valley; `along` as above, for the lay. Zeros on a smooth wall. */

@@ -6,10 +6,11 @@
  * starts to move at a slope of tangent q, of the law of the visible faces at grazing incidence:
  * q/s_eff has the density x exp(-x^2/2). A valley is an arc of a sine with that steepest slope, and
  * crests at Rice's mean distance 2 pi/sqrt(6) lambda_c: their height is 2/sqrt(6) q lambda_c. A
- * sphere on a surface starts over the steeper of FACES_AROUND. Mean and sd of q/s_eff are 1.25 and
- * 0.66 on a profile, 1.62 and 0.60 on a surface. Spheres on generated walls that tilt slowly start
- * at 1.34 to 1.53 (sd 0.70) and at 1.35 to 1.61 (0.60 to 0.68). All derived for this project, but
- * for FACES_AROUND, which follows from that comparison.
+ * sphere on a surface starts over the steeper of FACES_AROUND; across its way the valley has the
+ * same shape. Mean and sd of q/s_eff are 1.25 and 0.66 on a profile, 1.62 and 0.60 on a surface.
+ * Spheres on generated walls that tilt slowly start at 1.34 to 1.53 (sd 0.70) and at 1.35 to 1.61
+ * (0.60 to 0.68). All derived for this project, but for FACES_AROUND, which follows from that
+ * comparison.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/roughness.h"
@@ -48,7 +49,7 @@ double asp_wall_face_length(const asp_wall *wall, const asp_particle *particle,
 asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
                            const double along[3], const double n[3], const asp_key *key) {
   if (!wall->rough)
-    return (asp_valley){0, 0};
+    return (asp_valley){0, 0, 0, 0};
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, load(n));
   aspi_heading heading = heading_along(&rough, load(along), load(n));
@@ -59,5 +60,8 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
   if (wall->isotropic)
     share = pow(share, 1.0 / FACES_AROUND);
   double q = slope * sqrt(-2 * log1p(-share));
-  return (asp_valley){q, CREST * q * lambda};
+  double height = CREST * q * lambda, place = aspi_stream_uniform(&stream), rise = 0;
+  if (wall->isotropic)
+    rise = 0.5 * height * (1 - cos(2 * ASP_PI * aspi_stream_uniform(&stream)));
+  return (asp_valley){q, height, place, rise};
 }

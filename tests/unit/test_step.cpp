@@ -149,7 +149,7 @@ void valleys_get_what_grains_lose(void **) {
     grains.v[3 * i + 1] = 0.03 * i;
     grains.omega[3 * i + 2] = 0.02 * i;
     grains.f[3 * i] = -1;
-    grains.f[3 * i + 2] = 0.15;
+    grains.f[3 * i + 2] = 0.1;
   }
   double lost[6] = {0}, work = energy_of(grains), scale = 0;
   add_momenta(grains, about, 1, lost);
@@ -200,6 +200,81 @@ void valleys_get_what_grains_lose(void **) {
     assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) <
                 (k < 3 ? 1e-11 : 1e-7) * scale);
   assert_true(fabs(wall->books.counter(Books::DISSIPATED) - work) < 0.1 * work);
+}
+
+/* ---- slopes -----------------------------------------------------------------------------------
+ */
+
+/* Grains that fall to a slope of `angle` degrees, in units of gravity and lambda_c. Their mean way
+ * in the last half of the time, of those that move at its end, and the share of the others. */
+void go_down(const std::string &surface, double d, double angle, double height, double speed,
+             double dt, double &way, double &stopped) {
+  const int n = 300, half = static_cast<int>(75 / dt + 0.5);
+  const Alone engine;
+  std::unique_ptr<Wall> wall =
+      make_wall(engine, plane(2, 0), "deposit off rebound walton 0.5 0.3 0 surface rq " + surface);
+  Grains grains(n, d / 2, dt);
+  grains.spins = true;
+  for (int i = 0; i < n; i++) {
+    grains.x[3 * i + 2] = d / 2 + height;
+    grains.v[3 * i] = speed;
+    grains.omega[3 * i + 1] = 2 * speed / d;
+    grains.f[3 * i] = sin(angle * ASP_PI / 180);
+    grains.f[3 * i + 2] = -cos(angle * ASP_PI / 180);
+  }
+  grains.begin({wall.get()});
+  grains.fly(half);
+  const std::vector<double> middle(grains.x);
+  grains.fly(half);
+  int moving = 0;
+  way = 0;
+  for (int i = 0; i < n; i++)
+    if (fabs(grains.v[3 * i]) > 0.05) {
+      moving++;
+      way += grains.x[3 * i] - middle[3 * i];
+    }
+  way /= moving;
+  stopped = 1 - moving / static_cast<double>(n);
+}
+
+/* Grains that fall to a wall stop as often as spheres on generated walls do
+ * (tests/sweep/README.md); they are anywhere in their first valley, not at its bottom. */
+void grains_fall_anywhere(void **) {
+  double way, stopped;
+  go_down("0.1414 lambda_c 1 spread visible plane", 4, 5, 0.1, 0, 0.1, way, stopped);
+  assert_true(fabs(stopped - 0.575) < 0.1);
+  go_down("0.1414 lambda_c 1", 4, 5, 0.1, 0, 0.1, way, stopped);
+  assert_true(fabs(stopped - 0.44) < 0.1);
+}
+
+/* A long step does not make the faces longer: what it passes of a face at its end counts to the
+ * next one. */
+void faces_keep_their_length(void **) {
+  double coarse, fine, stopped;
+  go_down("0.035355 lambda_c 1", 8, 2, 0.01, 1.5, 0.5, coarse, stopped);
+  go_down("0.035355 lambda_c 1", 8, 2, 0.01, 1.5, 0.05, fine, stopped);
+  assert_true(fabs(coarse / fine - 1) < 0.04);
+}
+
+/* A bounce that is over within a step is none, also at a smooth wall: the last one that counts has
+ * more speed than gravity takes in half a step. */
+void low_bounces_are_rests(void **) {
+  for (double dt : {1e-3, 2.5e-4}) {
+    const Alone engine;
+    const double e = 0.8, drop = 0.02, g = 9.81;
+    std::unique_ptr<Wall> wall =
+        make_wall(engine, plane(2, 0), "deposit off rebound walton 0.8 0.3 0");
+    Grains grains(1, 1e-3, dt);
+    grains.x[2] = 1e-3 + drop;
+    grains.f[2] = -g;
+    grains.begin({wall.get()});
+    grains.fly(static_cast<int>(1 / dt));
+    int bounces = 0;
+    for (double v = sqrt(2 * g * drop); v > g * dt / 2; v *= e)
+      bounces++;
+    assert_int_equal(static_cast<int>(wall->books.counter(Books::N_IMPACTS)), bounces);
+    assert_true(aspi_length(&grains.v[0]) < 1e-12);
+  }
 }
 
 /* So does a wall at which one sticks, and later what others do to it. */
@@ -672,6 +747,9 @@ int main(int argc, char **argv) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(walls_get_what_grains_lose),
       cmocka_unit_test(valleys_get_what_grains_lose),
+      cmocka_unit_test(grains_fall_anywhere),
+      cmocka_unit_test(faces_keep_their_length),
+      cmocka_unit_test(low_bounces_are_rests),
       cmocka_unit_test(stuck_grains_pass_their_spin_on),
       cmocka_unit_test(stuck_grains_pass_their_forces_on),
       cmocka_unit_test(the_last_contact_may_stick),

@@ -410,7 +410,7 @@ static void memories_come_back(void **) {
   all.grow(2);
   assert_true(all.pack(0, packed) == 1 && all.unpack(1, packed) == 1 && !all.find(1));
   all.own(0).draws = 7;
-  all.own(0).faces.assign(FACES_MOST, FacePlace{4, {1, 2, 3}, {0, 0, 1}, 5, 0.1, 6, 7});
+  all.own(0).faces.assign(FACES_MOST, FacePlace{4, {1, 2, 3}, {0, 0, 1}, 5, 0.1, 6, 0.5, 8, 7});
   all.set_status(0, Status::STUCK);
   all.stuck(0).at[1] = 8;
   const int n = all.pack(0, packed);

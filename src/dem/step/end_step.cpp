@@ -96,7 +96,7 @@ bool meet_face(Flight &flight, const Held &held, const Ground &ground, Touch &to
   const double v[3] = {flight.begin[0], flight.begin[1], flight.begin[2]};
   Site site(flight, touch, v);
   site.press = ground.follow + ground.curve - aspi_dot(flight.free, ground.n);
-  site.find_face();
+  site.find_face(true);
   hold = site.hold(true);
   if (hold > 0 || !site.moved || !site.graze())
     return false;

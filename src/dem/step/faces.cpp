@@ -12,20 +12,30 @@
  *
  *   E_t < P h (sqrt(1 - s^2) - s acos s),     s = |a_t|/(q P)
  *
- * and nothing where s >= 1; E_t is the energy of the mover along the wall, per mass. The valley
- * acts on the center of the sphere as friction of the coefficient q (supports.h); one that bounces
- * in it loses its motion along the wall. A bounce on the mean wall that is lower than h is none:
- * the sphere rests. A law that takes no energy has no valleys.
+ * and nothing where s >= 1; E_t is the energy of the mover along the wall, per mass. A mover that
+ * has fallen to the wall is anywhere in its first valley, and has the energy of that place, too. On
+ * the next ones E_t is what it has over the mean wall. The valley acts on the center of the sphere
+ * as friction of the coefficient q (supports.h); one that bounces in it loses its motion along the
+ * wall. A bounce on the mean wall that is lower than h is none: the sphere rests. A law that takes
+ * no energy has no valleys.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/flight.h"
 
 #include <math.h>
+#include <algorithm>
 
 #include "asperity_internal.h"
 #include "contact/vector.h"
 
 using namespace asperity;
+
+/* How high an arc of a sine is over its bottom, over P h: at a share of the way from the crest
+ * ahead to the one behind. */
+static double rise_at(double share, double steep) {
+  const double bottom = asin(steep), at = ASP_PI - bottom - 2 * ASP_PI * share;
+  return 0.5 * (cos(bottom) - cos(at) - steep * (at - bottom));
+}
 
 /* True if a mover with this energy along the wall, per mass, cannot leave the valley behind its
  * face, where `push` presses it to the wall and `a` acts on it. The other walls at which it rests
@@ -46,16 +56,22 @@ static bool lies_in_valley(const std::vector<FacePlace> &faces, const FacePlace 
       aspi_add_scaled(along, into / square, m, along);
   }
   const double steep = aspi_length(along) / (face.start * push);
-  return push > 0 && steep < 1 &&
-         energy < push * face.height * (sqrt(1 - steep * steep) - steep * acos(steep));
+  if (!(push > 0 && steep < 1))
+    return false;
+  if (face.place > 0)
+    energy += push * (face.height * rise_at(face.place, steep) + face.rise);
+  return energy < push * face.height * rise_at(0, steep);
 }
 
-void Site::find_face() {
+/* stays: the sphere was at the wall in the step before, and may have passed the beginning of the
+ * face since. */
+void Site::find_face(bool stays) {
   const asp_wall *of = wall.setup.model.wall();
   if (!of || !asp_wall_surface(of))
     return;
   const double forward[3] = {0, 0, 0};
-  double lay[3], point[3], along[3];
+  double lay[3], point[3], along[3], u[3], passed = 0;
+  bool fell = false;
   const asp_particle here = particle(lay);
   const double now = wall.setup.time(static_cast<double>(flight.step)) - flight.path.left;
   aspi_copy(contact.x, point);
@@ -68,18 +84,27 @@ void Site::find_face() {
     aspi_add_scaled(along, -aspi_dot(along, contact.n), contact.n, along);
     const double length =
         here.lay ? asp_wall_face_length(of, &here, along, contact.n) : face->length;
-    is_new = moved = aspi_dot(along, along) >= length * length;
+    const double way = aspi_length(along);
+    is_new = moved = way >= length;
+    if (stays && moved) {
+      sphere_velocity(u);
+      passed = std::min(way - length, aspi_length(u) * flight.dt) / way;
+    }
   } else {
     const double length = asp_wall_face_length(of, &here, forward, contact.n);
     if (!(length > 0))
       return;
     face = &memory.new_face();
     face->length = length;
+    fell = !stays;
   }
   if (is_new) {
     face->sphere = static_cast<double>(one.tag);
     aspi_copy(point, face->at);
-    face->start = face->height = 0;
+    if (passed > 0)
+      aspi_add_scaled(face->at, -passed, along, face->at);
+    face->start = face->height = face->rise = 0;
+    face->place = fell ? 1 : 0;
   }
   aspi_copy(contact.n, face->normal);
   face->time = now;
@@ -102,6 +127,10 @@ const FacePlace &Site::valley() {
   const asp_valley drawn = asp_wall_valley(law(), &here, u, contact.n, &key);
   face->start = drawn.start;
   face->height = drawn.height;
+  if (face->place > 0) {
+    face->place = drawn.place;
+    face->rise = drawn.rise;
+  }
   return *face;
 }
 

@@ -152,7 +152,7 @@ struct Site {
   void finish(Event &event) const;
 
   /* faces.cpp: finds the sphere's face here, or gives it a new one. */
-  void find_face();
+  void find_face(bool stays);
   bool is_low();
   void lose_bounce() const;
   double hold(bool is_sustained);

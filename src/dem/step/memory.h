@@ -61,12 +61,13 @@ struct Rebound {
 
 /* A face of a rough wall that a sphere has met, and the valley behind it. */
 struct FacePlace {
-  double sphere;        /* its tag */
-  double at[3];         /* the contact point at that instant, moving with the wall */
-  double normal[3];     /* of the mean wall, at the last contact */
-  double time;          /* of the last contact */
-  double start, height; /* an asp_valley; 0: not drawn yet */
-  double length;        /* of the face, where the wall has no lay */
+  double sphere;                     /* its tag */
+  double at[3];                      /* the contact point at that instant, moving with the wall */
+  double normal[3];                  /* of the mean wall, at the last contact */
+  double time;                       /* of the last contact */
+  double start, height, place, rise; /* an asp_valley; start 0: not drawn yet; place: 0 at its
+                                        bottom, 1 not drawn yet */
+  double length;                     /* of the face, where the wall has no lay */
 };
 
 /* A body's axes at the end of a step, from 1. */

@@ -460,7 +460,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
     Site site(flight, touch, v);
     bool arrives;
     const bool stays = is_sustained(site, arrives) || all_stay;
-    site.find_face();
+    site.find_face(stays);
     const bool low = !stays && site.is_low(), sustained = stays || low;
     const double hold = all_stay || (site.is_new && !sustained) ? 0 : site.hold(sustained);
     if (!sustained && hold > 0)
