@@ -127,11 +127,11 @@ typedef struct asp_impact {
  * caller ensures v1.n < 0. Afterwards v2.n > 0, or the particle is deposited (v2 = 0), or, on a
  * wall without deposits whose law leaves no normal speed, it slides (v2.n = 0). Kinetic energy
  * never grows; with a law that turns the particle that includes the spin of a solid sphere. Of a
- * body v1 and v2 are the velocity of its center of mass, and every law turns it; the caller ensures
- * that the touching sphere approaches, u.n < 0 with u = v1 + omega x lever, and u leaves
- * afterwards, while v2.n may be anything. A wall with `grain lever` makes every particle without a
- * body an eccentric one. No allocation. ASP_EARG, with the velocity and the spin that were given,
- * where the law needs a pair and neither particle nor wall has one. */
+ * body v1 and v2 are the velocity of its center of mass, and every law turns it; u = v1 + omega x
+ * lever must approach (u.n < 0). Afterwards u leaves the wall; v2 may not. A wall with `grain
+ * lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG, with the
+ * velocity and the spin that were given, where the law needs a pair and neither particle nor wall
+ * has one. */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact);
 
@@ -193,9 +193,8 @@ asp_code asp_description_set(asp_description *description, const char *name, dou
                              asp_error *error);
 
 /* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread,
- * tilt, collisions, rebound and deposit; `file` of the profile or the map; `doubt`, what is
- * doubtful about the heights, once asp_wall_create has read them. NULL for another name, and for a
- * file that there is not. */
+ * tilt, collisions, rebound and deposit; `file` of the profile or the map. NULL for another name,
+ * and for a file that there is not. */
 const char *asp_description_word(const asp_description *description, const char *name);
 
 /* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
@@ -209,10 +208,9 @@ typedef struct asp_lay {
 asp_lay asp_description_lay(const asp_description *description);
 
 /* A wall of a description, for diameters from d_least to d_most in its units; both count only if
- * asp_description_needs_sizes, else they may be 0. Reads
- * the file of a measured wall unless the caller has set its heights, and makes the surface and the
- * tables of the model. The wall needs the description no longer. */
-asp_wall *asp_wall_create(asp_description *description, double d_least, double d_most,
+ * asp_description_needs_sizes, else they may be 0. Reads the file of a measured wall unless the
+ * caller has set its heights. The wall needs neither description nor heights any longer. */
+asp_wall *asp_wall_create(const asp_description *description, double d_least, double d_most,
                           asp_error *error);
 bool asp_description_needs_sizes(const asp_description *description);
 

@@ -24,7 +24,6 @@ typedef struct asp_rebound_law asp_rebound_law;
 /* The parts of a wall. The surface is NULL where it is smooth. */
 const asp_surface *asp_wall_surface(const asp_wall *wall);
 const asp_spread_model *asp_wall_spread(const asp_wall *wall);
-const asp_rebound_law *asp_wall_rebound(const asp_wall *wall);
 
 /* ---- spread models --------------------------------------------------------------------------- */
 /* The distribution of the tilt delta_alpha of the face that is hit, cut to |delta_alpha| < 90
@@ -48,7 +47,7 @@ const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error);
 const char *asp_rebound_name(const asp_rebound_law *law);
 bool asp_rebound_needs_pair(const asp_rebound_law *law); /* asp_particle.pair must be given */
 
-/* A parameter of a law, which asp_description_set sets; NULL for an index that there is not. */
+/* A parameter of a law, which asp_description_set sets. */
 typedef struct asp_parameter {
   const char *name;
   const char *unit; /* the kind of its unit, as "stress"; "" for none */
@@ -59,33 +58,12 @@ typedef struct asp_parameter {
                           NULL: it follows the law's name */
   const char *words;   /* those for the values 0, 1 ..., separated by blanks; NULL: a number */
 } asp_parameter;
-const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index);
 
 /* ---- materials ------------------------------------------------------------------------------- */
 /* The presets. */
 int asp_material_count(void); /* of the presets */
 const asp_material *asp_material_at(int index);
 const char *asp_material_name(const asp_material *material);
-
-/* ---- keywords -------------------------------------------------------------------------------- */
-/* A keyword of a description, one of the list that `asperity help wall` prints; NULL for an index
- * past the last. The parameters of the laws are in lists of their own, asp_rebound_parameter. */
-typedef struct asp_keyword {
-  const char *name;
-  const char *within; /* the keyword that it belongs to; "" where it begins a clause of its own */
-  const char *values; /* as a syntax shows them; "" for none */
-  const char
-      *unit;     /* of a number: its kind, as "length", "degrees", "" for none; NULL: no number */
-  size_t number; /* offset in the description; 0: not a number of get and set */
-  size_t flag;   /* for the library's own use */
-  double fallback, least, most;
-  bool above; /* it must be more than `least` */
-  bool whole;
-  bool may_fit;         /* `asperity calibrate` can fit it */
-  const char *standard; /* the default, as text; "" where there is none */
-  const char *text;
-} asp_keyword;
-const asp_keyword *asp_keyword_at(int index);
 
 /* ---- files of measured walls ----------------------------------------------------------------- */
 /* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
@@ -152,11 +130,11 @@ const float *asp_map_heights(const asp_map *map);
 /* Parses clause by clause, for a caller with other words in between: begin with
  * asp_description_parse(""). read takes the clause at the beginning of words[count]; *taken is its
  * number of words, 0 if the first one is in `others`, the caller's own words with blanks between
- * (NULL: none). After an error every call fails with it. complete, after the last clause, checks
- * them together; it may be called again after more clauses. */
+ * (NULL: none). After an error every call fails with it. check, after the last clause, looks at all
+ * of them together. */
 asp_code asp_description_read(asp_description *description, int count, const char *const *words,
                               const char *others, int *taken, asp_error *error);
-asp_code asp_description_complete(asp_description *description, asp_error *error);
+asp_code asp_description_check(const asp_description *description, asp_error *error);
 
 /* ASP_EARG and a message where the law with its parameters has no meaning for bodies. */
 asp_code asp_description_check_bodies(const asp_description *description, asp_error *error);
@@ -179,9 +157,7 @@ void asp_description_default_plane(asp_description *description);
 /* True if the words have this keyword. */
 bool asp_description_is_given(const asp_description *description, const char *keyword);
 
-/* The law. True if the law's coefficients were measured on a wall: they include its roughness. */
 const asp_rebound_law *asp_description_rebound(const asp_description *description);
-bool asp_rebound_measured(const asp_rebound_law *law);
 
 /* The length of the first clause of a canonical text with the blank behind it; 0 at its end. */
 size_t asp_description_clause(const char *text);

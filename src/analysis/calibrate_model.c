@@ -32,9 +32,15 @@ bool aspi_calibration_set(const aspi_calibration *c, const double *scaled) {
         (u->kind == OF_PAIR && asp_pair_set(c->pair, u->name, value, NULL)))
       return false;
   }
-  if (!c->moves)
-    return aspi_wall_take_law(c->wall, &words->choice, NULL) == ASP_OK;
-  return !asp_description_complete(words, NULL) && !aspi_wall_remake(c->wall, &words->choice, NULL);
+  if (!c->moves) {
+    const aspi_wall_choice choice = aspi_description_choice(words);
+    aspi_wall_take_law(c->wall, &choice);
+    return true;
+  }
+  asp_wall *made = asp_wall_create(words, 0, 0, NULL);
+  if (made)
+    aspi_wall_replace(c->wall, made);
+  return made != NULL;
 }
 
 /* Adds noise to what was measured of a rebound: x and y are in shares of v1. */

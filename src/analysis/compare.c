@@ -193,10 +193,6 @@ static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
 /* ---- all bins ---------------------------------------------------------------------------------
  */
 
-bool aspi_compare_has_both(const aspi_compare_bin *b, int which) {
-  return isfinite(b->data.of[which].mean) && b->model.of[which].count > 0;
-}
-
 static void free_impacts(aspi_side *side) {
   free(side->impacts);
   side->impacts = NULL;

@@ -46,7 +46,4 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
  * themselves, which are the model's sample; there are no others then. */
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error);
 
-/* True if a bin has a measured value and impacts. */
-bool aspi_compare_has_both(const aspi_compare_bin *bin, int which);
-
 #endif

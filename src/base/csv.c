@@ -185,10 +185,8 @@ int aspi_csv_need(const aspi_csv *csv, const char *name, asp_error *error) {
   if (index >= 0)
     return index;
   char list[240] = "";
-  for (int i = 0; i < csv->columns; i++) {
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, " %s", csv->names[i]);
-  }
+  for (int i = 0; i < csv->columns; i++)
+    aspi_append(list, sizeof list, " %s", csv->names[i]);
   aspi_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", csv->text.path, name,
             list);
   return -1;

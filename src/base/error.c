@@ -30,6 +30,14 @@ asp_code aspi_fail(asp_error *error, asp_code code, const char *format, ...) {
   return code;
 }
 
+void aspi_append(char *text, size_t size, const char *format, ...) {
+  size_t used = strlen(text);
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text + used, size - used, format, args);
+  va_end(args);
+}
+
 asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,
                           double least, double most) {
   if (isfinite(value) && value >= least && value <= most)
@@ -130,8 +138,7 @@ int aspi_find_name(const char *what, const char *name, int count, const char *(*
   for (int i = 0; i < count; i++) {
     if (name && strcasecmp(name_at(i), name) == 0)
       return i;
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "", name_at(i));
+    aspi_append(list, sizeof list, "%s%s", *list ? " " : "", name_at(i));
   }
   aspi_fail_unknown(error, what, name ? name : "", list);
   return -1;

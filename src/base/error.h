@@ -34,6 +34,13 @@ static inline const char *aspi_word_or_empty(const char *word) {
   return word ? word : "";
 }
 
+/* Appends to a text that has room for `size` characters, as printf does. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+void
+aspi_append(char *text, size_t size, const char *format, ...);
+
 /* The place, from 0, of the first `length` characters of a word in a list of words with blanks
  * between, in upper or lower case unless it must be `exact`; -1: it is not there. */
 int aspi_word_index(const char *list, const char *word, size_t length, bool exact);

@@ -47,12 +47,9 @@ double aspi_quantity_factor(const char *kind, const asp_units *units) {
 void aspi_quantity_units(const char *kind, char *list, size_t size) {
   const aspi_unit *u;
   *list = '\0';
-  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++) {
-    size_t used = strlen(list);
+  for (size_t i = 0; (u = aspi_unit_at(i)) != NULL; i++)
     if (u->listed && strcmp(u->kind, kind) == 0)
-      snprintf(list + used, size - used, "%s%.*s", used ? " " : "", (int)strcspn(u->names, " "),
-               u->names);
-  }
+      aspi_append(list, size, "%s%.*s", *list ? " " : "", (int)strcspn(u->names, " "), u->names);
 }
 
 asp_code aspi_quantity_check(const char *name, const char *text, const char *kind, double value,

@@ -40,9 +40,9 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   const asp_rebound_law *law = asp_description_rebound(c->words);
   int index = aspi_rebound_parameter_find(law, name, NULL), i = 0;
   const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
-  while (!p && !(asp_keyword_at(i)->may_fit && strcmp(asp_keyword_at(i)->name, name) == 0))
+  while (!p && !(aspi_keyword_at(i)->may_fit && strcmp(aspi_keyword_at(i)->name, name) == 0))
     i++;
-  const asp_keyword *k = asp_keyword_at(i);
+  const aspi_keyword *k = aspi_keyword_at(i);
   aspi_unknown u = {.name = name,
                     .kind = p            ? OF_LAW
                             : *k->within ? OF_SURFACE
@@ -293,7 +293,8 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
   take_wall(c, description);
   const asp_description *words = c->words;
   c->smooth = strcmp(asp_description_word(words, "surface"), "smooth") == 0;
-  c->sticks = asp_rebound_needs_pair(asp_description_rebound(words)) && words->choice.deposit;
+  c->sticks =
+      asp_rebound_needs_pair(asp_description_rebound(words)) && words->deposit != ASPI_DEPOSIT_OFF;
   c->seed = (uint32_t)asp_description_get(words, "seed");
   c->d_p = cli_length(cli_get(call, "dp"));
   c->speed = cli_quantity(cli_get(call, "speed"), "speed", 1e-9, 1e6);

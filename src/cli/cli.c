@@ -9,18 +9,7 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
-
-/* A table goes to no file whose name promises an array. */
-static void check_written(const cli_option *option) {
-  const char *ending = strrchr(option->value, '.');
-  if (ending && strcasecmp(ending, ".npy") == 0)
-    cli_bad_usage("--%s is '%s'; it is written as CSV, which numpy.genfromtxt reads: end the name "
-                  "in .csv",
-                  option->name, option->value);
-  cli_file_check(option->value);
-}
 
 /* The options whose files are written. */
 enum { N_WRITTEN = 3 };
@@ -60,7 +49,7 @@ static void check_files(const cli_call *call) {
   }
   for (int k = 0; k < 2; k++)
     if (cli_value(call, written[k]) && strcmp(cli_value(call, written[k]), "-") != 0)
-      check_written(cli_get(call, written[k]));
+      cli_file_check(cli_value(call, written[k]));
   if (cli_value(call, "plot"))
     cli_plot_check(call);
   for (int k = 0; k < 3 && !cli_value(call, "plot"); k++)
@@ -96,16 +85,14 @@ static void list_options(cli_call *call) {
 static void fail_option(const cli_call *call, const char *given) {
   const char *name = call->command->name, *word = given + strspn(given, "-");
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
+    const aspi_keyword *k = aspi_keyword_at(i);
     if (strcmp(k->name, word) == 0)
       cli_bad_usage("%s: '%s' is a word of the description, before all options: %s%s%s %s", name,
                     given, k->within, *k->within ? " " : "", word, k->values);
   }
   char list[400] = "", near[64], meant[90] = "";
-  for (const cli_option *o = call->options; o->name; o++) {
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, " %s", o->name);
-  }
+  for (const cli_option *o = call->options; o->name; o++)
+    aspi_append(list, sizeof list, " %s", o->name);
   if (aspi_nearest_name(word, list, near))
     snprintf(meant, sizeof meant, "; did you mean '--%s'?", near);
   cli_bad_usage("%s: option '%s' is unknown%s; options begin with --; see 'asperity %s --help'",

@@ -97,7 +97,6 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
  * Angles are in degrees, 0 to 90. */
 cli_list cli_values(const cli_option *option, const char *kind, double least, double most);
 cli_list cli_numbers(const cli_option *option, double least, double most);
-cli_list cli_speeds(const cli_option *option, double least, double most);
 cli_list cli_lengths(const cli_option *option);
 cli_list cli_angles(const cli_option *option);
 cli_list cli_impact_angles(const cli_call *call); /* of the option `angles`; over 0 */

@@ -33,7 +33,7 @@ static void read_words(asp_description *d, int count, char **words) {
   asp_error error;
   for (int next = 0, taken; next < count; next += taken)
     cli_must(!asp_description_read(d, count - next, all + next, "", &taken, &error), &error);
-  cli_must(!asp_description_complete(d, &error), &error);
+  cli_must(!asp_description_check(d, &error), &error);
 }
 
 char *cli_description_text(const asp_description *words) {
@@ -85,7 +85,7 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
   d->has_no_impact = !aspi_words_in_list("rebound", allowed);
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
+    const aspi_keyword *k = aspi_keyword_at(i);
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
     if (!*k->within && is_own && asp_description_is_given(d->words, k->name) &&
         !aspi_words_in_list(k->name, allowed))
@@ -109,8 +109,6 @@ void cli_description_make(cli_description *d, double d_least, double d_most) {
   asp_error error;
   d->wall = asp_wall_create(d->words, d_least, d_most, &error);
   cli_must(d->wall, &error);
-  d->profile = d->words->choice.profile;
-  d->map = d->words->choice.map;
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
@@ -127,12 +125,7 @@ const double *cli_description_lay(const cli_description *d, double vector[3]) {
   return vector;
 }
 
-const asp_surface *cli_description_surface(const cli_description *d) {
-  return d->wall ? asp_wall_surface(d->wall) : d->words->surface;
-}
-
-double cli_description_shrink(const cli_description *d) {
-  const asp_surface *surface = cli_description_surface(d);
+double cli_description_shrink(const cli_description *d, const asp_surface *surface) {
   double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
   const double *lay = cli_description_lay(d, vector);
   return lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
@@ -149,8 +142,4 @@ cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, dou
   asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
   i.cor = asp_impact_coefficients(v1, n, &i.impact);
   return i;
-}
-
-double cli_impact_ratio(const cli_impact *i, int t) {
-  return t ? i->cor.cor_t : i->cor.cor_n;
 }

@@ -18,12 +18,10 @@ typedef struct cli_description {
                                             given */
   asp_pair *pair;                        /* NULL alike */
   bool has_standard_materials;           /* none are given */
-  bool has_no_impact;         /* the command takes no rebound law, so constants do not count */
-  double density;             /* of the particles */
-  const asp_profile *profile; /* a measured wall, once it is made; else NULL */
-  const asp_map *map;         /* alike */
-  char *text;                 /* canonical; with the materials, also where they are the
-                                 default */
+  bool has_no_impact; /* the command takes no rebound law, so constants do not count */
+  double density;     /* of the particles */
+  char *text;         /* canonical; with the materials, also where they are the
+                         default */
 } cli_description;
 
 /* Reads the words, of which there may be none; `materials` are two, those of the particles and of
@@ -56,18 +54,12 @@ typedef struct cli_impact {
 cli_impact cli_impact_at(const cli_description *description, double d_p, double speed,
                          double degrees, const asp_key *key);
 
-/* Its CoR_N (t 0) or CoR_T (t 1). */
-double cli_impact_ratio(const cli_impact *impact, int t);
-
-/* The surface; NULL where it is smooth, or a profile's whose wall is not made yet. */
-const asp_surface *cli_description_surface(const cli_description *description);
-
 /* The direction of the lay where particles fly along x over the wall z = 0; NULL where there is no
  * lay. An angle is from x toward y. `vector` holds it. */
 const double *cli_description_lay(const cli_description *description, double vector[3]);
 
 /* The square of lambda_c across the lay over the correlation length along the flight; 1 where there
  * is no lay. */
-double cli_description_shrink(const cli_description *description);
+double cli_description_shrink(const cli_description *description, const asp_surface *surface);
 
 #endif

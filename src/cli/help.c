@@ -77,8 +77,8 @@ static void text_of_all(const cli_command *const *commands) {
 /* The words within one, and those within these. */
 static void put_words(const char *within, int depth) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
-    if (strcmp(k->within, within) != 0)
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (strcmp(k->within, within) != 0 || !k->text)
       continue;
     printf("%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values, 2 * depth + 6,
            "", k->text);
@@ -108,8 +108,8 @@ static void put_law(const char *name, const asp_parameter *parameters, int count
 
 void cli_help_wall(void) {
   fputs("These words describe a wall, in the command and in scripts. Each keyword appears at most\n"
-        "once, in any order. A word that has no effect on the wall is an error. [ ] behind a\n"
-        "text holds the default. In a command particles fly along x over the wall z = 0, and an\n"
+        "once, in any order. A word that has no effect on the wall is an error. Defaults are in\n"
+        "[brackets]. In a command particles fly along x over the wall z = 0, and an\n"
         "angle of the lay counts from x; without `materials` all but `calibrate` take Arizona\n"
         "Road Dust on Hastelloy X (materials ard hastelloy-x).\n",
         stdout);

@@ -47,7 +47,7 @@ static aspi_view view_of(const cli_description *wall, double d_p) {
     return aspi_view_of(0, 0);
   double vector[3] = {0, 1, 0};
   const double *lay = cli_description_lay(wall, vector);
-  double part = cli_description_shrink(wall);
+  double part = cli_description_shrink(wall, surface);
   double slope =
       lay ? aspi_surface_slope_along(surface, d_p, part) : asp_surface_slope(surface, d_p);
   aspi_view view = aspi_view_of(atan(slope), 0);

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/plot.h"
 #include "cli/surface.h"
+#include "description/description.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "surface/closing.h"
@@ -152,10 +153,12 @@ static wall_profile read_wall(const cli_call *call, const cli_description *wall,
 /* The profile along the flight; `more` is added to the seed. */
 static wall_profile generate_wall(const cli_call *call, const cli_description *wall,
                                   uint32_t more) {
-  const asp_surface *surface = cli_description_surface(wall);
-  double r_q = asp_surface_r_q(surface),
-         lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall));
   asp_error error;
+  asp_surface *surface = aspi_description_surface(wall->words, &error);
+  cli_must(surface, &error);
+  double r_q = asp_surface_r_q(surface),
+         lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall, surface));
+  asp_surface_free(surface);
   asp_profile *profile =
       asp_profile_create(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
                          cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),

@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
 #include "cli/description.h"
+#include "description/description.h"
 #include "cli/plot.h"
 
 #include <math.h>
@@ -192,7 +193,10 @@ static void check_wall(const asp_description *words) {
 static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p,
                                cli_list *angles) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
-  const asp_profile *profile = wall->profile;
+  aspi_heights heights;
+  asp_error error;
+  cli_must(!aspi_heights_read(wall->words, &heights, &error), &error);
+  const asp_profile *profile = heights.profile;
   const cli_option *ensemble = cli_get(call, "ensemble");
   aspi_judge_case subject = {.r_q = asp_surface_r_q(surface),
                              .lambda_c = asp_surface_lambda_c(surface),

@@ -1,6 +1,7 @@
 /* Values of options: words, numbers with units, lists; see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
 #include "cli/cli.h"
@@ -88,14 +89,14 @@ int cli_choice(const cli_option *option) {
   char list[80] = "";
   int index = 0;
   for (const char *word = option->argument; *word; index++) {
-    size_t length = strcspn(word, "|"), used = strlen(list);
+    size_t length = strcspn(word, "|");
     if (strlen(option->value) == length && strncmp(option->value, word, length) == 0)
       return index;
-    snprintf(list + used, sizeof list - used, "%s%.*s",
-             index == 0     ? ""
-             : word[length] ? ", "
-                            : " or ",
-             (int)length, word);
+    aspi_append(list, sizeof list, "%s%.*s",
+                index == 0     ? ""
+                : word[length] ? ", "
+                               : " or ",
+                (int)length, word);
     word += length + (word[length] == '|');
   }
   cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
@@ -153,10 +154,6 @@ static cli_list without_law(const cli_option *option, const char *kind, double l
 
 cli_list cli_numbers(const cli_option *option, double least, double most) {
   return without_law(option, "", least, most);
-}
-
-cli_list cli_speeds(const cli_option *option, double least, double most) {
-  return without_law(option, "speed", least, most);
 }
 
 cli_list cli_lengths(const cli_option *option) {

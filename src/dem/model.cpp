@@ -39,7 +39,7 @@ bool Model::is_given(const char *keyword) const {
   return asp_description_is_given(description_.get(), keyword);
 }
 
-/* Not when this is made, for nothing can be reported there. */
+/* Called on first use: the constructor cannot report errors. */
 void Model::begin() {
   asp_error wrong;
   if (description_)
@@ -69,7 +69,7 @@ void Model::parse(Words &words, const std::string &others) {
 void Model::finish() {
   asp_error wrong;
   begin();
-  if (asp_description_complete(description_.get(), &wrong))
+  if (asp_description_check(description_.get(), &wrong))
     throw_error(wrong);
   if (asp_description_check_heat(description_.get(), false, &wrong))
     throw_error(wrong);

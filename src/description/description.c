@@ -21,11 +21,12 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
   d->units = units ? *units : si;
   d->units.name = d->units.name ? d->units.name : "the caller's units";
   d->last = "";
-  d->sigma = d->r_q = d->lambda_c = d->r_sm = NAN;
+  d->sigma = d->r_q = d->lambda_c = NAN;
   d->friction = d->surface_energy = d->yield_stress = NAN;
   d->seed = aspi_keyword_find("", "seed")->fallback;
   d->choice = aspi_wall_choice_smooth();
   d->choice.isotropic = d->choice.multiple = true;
+  d->choice.flow.micron = 1e-6 * aspi_quantity_factor("length", &d->units);
   return d;
 }
 
@@ -43,16 +44,13 @@ void asp_description_free(asp_description *d) {
   free(d->table);
   free(d->materials_file);
   aspi_materials_free(d->own);
-  asp_surface_free(d->surface);
-  asp_profile_free(d->profile);
-  asp_map_free(d->map);
   aspi_cor_table_free(d->cor_table);
   free(d);
 }
 
 bool aspi_is_given(const asp_description *d, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(asp_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
+    if (strcmp(aspi_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
       return true;
   const asp_rebound_law *law = d->choice.law;
   for (int i = 0; i < law->n_parameters; i++)
@@ -61,13 +59,22 @@ bool aspi_is_given(const asp_description *d, const char *name) {
   return false;
 }
 
+const char *aspi_given_of(const asp_description *d, const char *list, int nth) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const char *name = aspi_keyword_at(i)->name;
+    if (d->given >> i & 1 && aspi_word_index(list, name, strlen(name), true) >= 0 && nth-- == 0)
+      return name;
+  }
+  return NULL;
+}
+
 bool asp_description_is_given(const asp_description *d, const char *keyword) {
   return keyword && aspi_is_given(d, keyword);
 }
 
 void aspi_set_given(asp_description *d, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(asp_keyword_at(i)->name, name) == 0)
+    if (strcmp(aspi_keyword_at(i)->name, name) == 0)
       d->given |= (uint64_t)1 << i;
 }
 
@@ -77,17 +84,19 @@ void asp_description_default_plane(asp_description *d) {
 
 /* ---- numbers ---- */
 
-/* The keyword of a number; NULL for another name. */
-static const asp_keyword *number_find(const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (asp_keyword_at(i)->number && strcmp(asp_keyword_at(i)->name, name) == 0)
-      return asp_keyword_at(i);
+/* The keyword of a number that is not turned into another one; NULL for another name. */
+static const aspi_keyword *number_find(const char *name) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (k->number && k->shown != ASPI_NEVER && strcmp(k->name, name) == 0)
+      return k;
+  }
   return NULL;
 }
 
 double asp_description_get(const asp_description *d, const char *name) {
   int i = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
-  const asp_keyword *k = name && i < 0 ? number_find(name) : NULL;
+  const aspi_keyword *k = name && i < 0 ? number_find(name) : NULL;
   double value = i >= 0 ? d->choice.parameters[i] : NAN;
   if (k)
     memcpy(&value, (const char *)d + k->number, sizeof value);
@@ -99,13 +108,12 @@ static asp_code fail_name(const asp_description *d, const char *name, asp_error 
   const asp_rebound_law *law = d->choice.law;
   char list[420] = "", what[100];
   for (int i = 0; i < law->n_parameters + aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i < law->n_parameters ? 0 : i - law->n_parameters);
-    bool is_there =
-        i < law->n_parameters || (k->number && (!*k->within || aspi_is_given(d, k->name)));
-    size_t used = strlen(list);
+    const aspi_keyword *k = aspi_keyword_at(i < law->n_parameters ? 0 : i - law->n_parameters);
+    bool is_there = i < law->n_parameters ||
+                    (number_find(k->name) && (!*k->within || aspi_is_given(d, k->name)));
     if (is_there)
-      snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
-               i < law->n_parameters ? law->parameters[i].name : k->name);
+      aspi_append(list, sizeof list, "%s%s", *list ? " " : "",
+                  i < law->n_parameters ? law->parameters[i].name : k->name);
   }
   snprintf(what, sizeof what, "of a wall with rebound law '%s', number", law->name);
   return aspi_fail_unknown(error, what, name ? name : "", list);
@@ -120,23 +128,19 @@ static asp_code set_parameter(asp_description *d, int index, double value, asp_e
   return code;
 }
 
-static asp_code set_number(asp_description *d, const asp_keyword *k, double value,
+static asp_code set_number(asp_description *d, const aspi_keyword *k, double value,
                            asp_error *error) {
   asp_code code = aspi_keyword_check(k, value, error);
   if (code)
     return code;
   memcpy((char *)d + k->number, &value, sizeof value);
   aspi_set_given(d, k->name);
-  if (strcmp(k->within, "surface") == 0) {
-    asp_surface_free(d->surface);
-    d->surface = NULL;
-  }
   return ASP_OK;
 }
 
 asp_code asp_description_set(asp_description *d, const char *name, double value, asp_error *error) {
   int parameter = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
-  const asp_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
+  const aspi_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
   if (parameter < 0 && (!k || (*k->within && !aspi_is_given(d, name))))
     return fail_name(d, name, error);
   asp_code code = k ? set_number(d, k, value, error) : set_parameter(d, parameter, value, error);
@@ -164,16 +168,21 @@ const char *asp_description_word(const asp_description *d, const char *name) {
     const char *name, *value;
   } words[] = {{"surface", kinds[d->kind]},
                {"file", d->file},
-               {"spread", d->choice.spread->name},
+               {"spread", aspi_description_spread(d)->name},
                {"tilt", d->choice.isotropic ? "isotropic" : "plane"},
                {"collisions", d->choice.multiple ? "multiple" : "single"},
                {"rebound", d->choice.law->name},
-               {"deposit", deposits[d->deposit]},
-               {"doubt", d->doubt.text}};
+               {"deposit", deposits[d->deposit]}};
   for (size_t i = 0; name && i < sizeof words / sizeof *words; i++)
     if (strcmp(words[i].name, name) == 0)
       return words[i].value;
   return NULL;
+}
+
+const asp_spread_model *aspi_description_spread(const asp_description *d) {
+  bool is_measured = d->kind == ASPI_PROFILE || d->kind == ASPI_MAP;
+  const char *standard = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "profile" : "visible";
+  return d->spread ? d->spread : asp_spread_find(standard, NULL);
 }
 
 const asp_rebound_law *asp_description_rebound(const asp_description *d) {

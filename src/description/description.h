@@ -18,19 +18,21 @@ typedef enum aspi_surface_kind {
 /* Numbers of one description that may be unknown. */
 enum { ASPI_FITS_MOST = 8 };
 
+/* In the order of the keyword's values. */
 typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_deposit;
 
 struct asp_description {
   asp_units units;
-  uint64_t given;   /* a bit for each keyword of the table */
-  unsigned of_law;  /* a bit for each parameter of the law whose word is given */
-  const char *last; /* the clause that was read last */
-  asp_error broken; /* the error of a clause that could not be read; it stays */
-  aspi_surface_kind kind;
-  double sigma; /* degrees */
+  uint64_t given;              /* a bit for each keyword of the table */
+  unsigned of_law, of_erosion; /* a bit for each parameter of the law whose word is given */
+  const char *last;            /* the clause that was read last */
+  asp_error broken;            /* the error of a clause that could not be read; it stays */
+  uint8_t kind;                /* an aspi_surface_kind */
+  uint8_t deposit;             /* an aspi_deposit */
+  double sigma;                /* degrees */
   double r_q, lambda_c, lambda_along;
-  double r_sm; /* where lambda_c comes of it, with no sampling length; else NaN */
-  char *file;  /* of the profile or the map */
+  double spacing, sampling; /* what an instrument prints in place of lambda_c */
+  char *file;               /* of the profile or the map */
   asp_lay_kind lay;
   const char *lay_word; /* axial or circumferential; else NULL */
   double lay_numbers[3];
@@ -43,7 +45,6 @@ struct asp_description {
   aspi_materials *own;
   asp_material **materials; /* in the units of the caller */
   double friction, surface_energy, yield_stress;
-  aspi_deposit deposit;
   double seed;
   /* True lets numbers that may be unknown be `fit`, or `fit=START` in place of START: those of the
    * law, and of keywords with `may_fit`. Such a number has the value START, else that of its
@@ -51,25 +52,56 @@ struct asp_description {
   bool may_fit;
   const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
   int n_fits;
-  aspi_wall_choice choice;  /* the wall of these words; the surface of a profile is still to come */
-  asp_surface *surface;     /* of the numbers or the map; NULL: to be made */
-  asp_profile *profile;     /* read from the file; NULL: the caller's, or not read yet */
-  asp_map *map;             /* alike */
-  asp_map_numbers measured; /* of the map whose surface was made */
-  asp_error doubt;          /* about the file that was read */
+  aspi_wall_choice choice; /* without what aspi_description_choice adds */
   aspi_cor_table *cor_table;
 };
 
+/* ---- the table of keywords ---- */
+
+/* When a keyword is in the canonical text. */
+typedef enum aspi_shown { ASPI_IF_GIVEN, ASPI_IF_ROUGH, ASPI_ALWAYS, ASPI_NEVER } aspi_shown;
+
+/* A keyword. Its value is a number, a string, one word of a choice, or has a form of its own (see
+ * forms.c); behind it follow, in any order, the keywords within it. Places are offsets in the
+ * description, 0 for none. */
+typedef struct aspi_keyword {
+  const char *within; /* the keyword that it belongs to; "" where it begins a clause */
+  const char *name;
+  const char *values;   /* as a syntax shows them; "" for none */
+  const char *standard; /* the default, as text; "" where there is none */
+  const char *text;     /* NULL: a value of the keyword that it is within */
+  const char *after;    /* of the keywords within that one, those that it may follow; "": none,
+                           it comes first; NULL: any */
+  size_t number;        /* place of a double */
+  const char *unit;     /* its kind, as "length"; "" for none; NULL: no number */
+  double fallback, least, most;
+  bool above;    /* it must be more than `least` */
+  bool whole;    /* it must be a whole number */
+  bool may_fit;  /* `asperity calibrate` can fit it */
+  size_t string; /* place of a char * */
+  size_t choice; /* place of a byte: the word's number among the values */
+  size_t flag;   /* place of a byte that the keyword sets to `sets` */
+  uint8_t sets;
+  aspi_shown shown;
+  bool needed; /* within its keyword */
+  bool in_si;  /* its constants are in SI, so the caller's units must be known */
+} aspi_keyword;
+
 int aspi_keyword_count(void);
 
-/* The word `name` within another one; NULL: it is none. */
-const asp_keyword *aspi_keyword_find(const char *within, const char *name);
+/* NULL for an index past the last. */
+const aspi_keyword *aspi_keyword_at(int index);
 
-/* The words within one, with blanks between; `""` for those of clauses. */
+/* The word `name` within another one; NULL: it is none. */
+const aspi_keyword *aspi_keyword_find(const char *within, const char *name);
+
+/* Adds the words within one to a list, with blanks between. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
 /* Checks a number's range, and that it is whole where it must be. */
-asp_code aspi_keyword_check(const asp_keyword *keyword, double value, asp_error *error);
+asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
+
+/* ---- what the words say ---- */
 
 /* An empty description: a smooth wall. */
 asp_description *aspi_description_create(const asp_units *units, asp_error *error);
@@ -78,15 +110,32 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
 bool aspi_is_given(const asp_description *d, const char *name);
 void aspi_set_given(asp_description *d, const char *name);
 
-/* The word that a flag stands for. Writes it to `word`. */
-void aspi_keyword_choice(const asp_keyword *keyword, const asp_description *d, char word[20]);
-
-/* ASP_ERANGE and a message where the file of a wall tells little about spheres of diameter d_p:
- * where they cover under 10 points, or it is under 20 correlation lengths long. */
-asp_code aspi_description_check_sampling(const asp_description *description, const asp_wall *wall,
-                                         double d_p, asp_error *error);
+/* Of the keywords of a list that are given the nth, from 0; NULL: there are fewer. */
+const char *aspi_given_of(const asp_description *d, const char *list, int nth);
 
 /* True if a number is unknown. */
 bool aspi_is_fit(const asp_description *d, const char *name);
+
+/* The spread model: the one that is given, or the default of the surface. */
+const asp_spread_model *aspi_description_spread(const asp_description *d);
+
+/* The parts of the wall that the words name, without surface, diameters and pair. */
+aspi_wall_choice aspi_description_choice(const asp_description *d);
+
+/* The surface of a wall that is given by numbers. */
+asp_surface *aspi_description_surface(const asp_description *d, asp_error *error);
+
+/* ---- heights of a file ---- */
+
+/* A profile or a map from a file, and what is doubtful about it. */
+typedef struct aspi_heights {
+  asp_profile *profile;
+  asp_map *map;
+  asp_error doubt;
+} aspi_heights;
+
+/* Reads the file of a measured wall, if the caller has set no heights. */
+asp_code aspi_heights_read(const asp_description *d, aspi_heights *heights, asp_error *error);
+void aspi_heights_free(aspi_heights *heights);
 
 #endif

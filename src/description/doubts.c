@@ -1,8 +1,10 @@
 /* What is allowed in a wall and still looks like a mistake.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/error.h"
 #include "base/quantity.h"
 #include "description/description.h"
+#include "readers/read.h"
 #include "rebound/laws.h"
 #include "surface/instrument.h"
 
@@ -111,7 +113,7 @@ static bool sticks_at(const asp_description *d, const asp_particle *particle, do
 double asp_description_capture_speed(const asp_description *d, const asp_particle *particle) {
   double unit = aspi_quantity_factor("speed", &d->units);
   if (!d->choice.law->needs_pair || !particle->pair || !(unit > 0) || !(particle->d_p > 0) ||
-      !(particle->density > 0) || !d->choice.deposit)
+      !(particle->density > 0) || d->deposit == ASPI_DEPOSIT_OFF)
     return 0;
   double low = SPEED_LEAST * unit, step = pow(SPEED_MOST / SPEED_LEAST, 1 / (SPEEDS - 1.0));
   if (!sticks_at(d, particle, low))
@@ -170,8 +172,8 @@ static void is_soft(const asp_question *q, char *text, size_t size) {
 }
 
 static void has_no_sampling(const asp_question *q, char *text, size_t size) {
-  double length = q->words->r_sm;
-  if (length > 0)
+  double length = q->words->spacing;
+  if (aspi_is_given(q->words, "rsm") && !aspi_is_given(q->words, "sampling"))
     snprintf(text, size,
              "rsm depends on the sampling length: lambda_c is taken as %s and may be %s to "
              "%s; say 'sampling LR', or rather rdq",
@@ -193,16 +195,18 @@ static void holds_nothing(const asp_question *q, char *text, size_t size) {
 /* ---- the wall that was made ---- */
 
 static void has_odd_heights(const asp_question *q, char *text, size_t size) {
-  if (q->words->doubt.code)
+  if (q->wall && q->wall->heights.doubt.code)
     snprintf(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
-             q->words->file, q->words->doubt.text);
+             q->words->file, q->wall->heights.doubt.text);
 }
 
 static void is_coarse(const asp_question *q, char *text, size_t size) {
+  const aspi_wall_heights *h = q->wall ? &q->wall->heights : NULL;
   asp_error doubt;
-  if (q->wall && q->d_least > 0 &&
-      aspi_description_check_sampling(q->words, q->wall, q->d_least, &doubt))
-    snprintf(text, size, "%s", doubt.text);
+  if (h && h->spacing > 0 && q->d_least > 0 &&
+      aspi_sampling_check(q->d_least, h->spacing, h->length, h->lambda, &doubt))
+    snprintf(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
+             q->words->file, doubt.text);
 }
 
 static void is_rough_twice(const asp_question *q, char *text, size_t size) {
@@ -232,7 +236,6 @@ bool asp_doubt(const asp_question *question, int index, char *text, size_t size)
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;
   doubts[index](question, text, size);
-  size_t used = strlen(text);
-  snprintf(text + used, size - used, "%s", asp_reader_advice(text));
+  aspi_append(text, size, "%s", asp_reader_advice(text));
   return true;
 }

@@ -1,5 +1,5 @@
-/* The words of a description, as one table: parser, messages, help and pages are made of it. Models
- * of the tilt, laws and their parameters are records of their own.
+/* The words of a description, as one table: parser, canonical text, messages, help and pages are
+ * made of it. Models of the tilt, laws and their parameters are records of their own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
@@ -12,138 +12,137 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A word with its values, its default and its meaning; a choice of two words, or a word of its own,
- * that sets a flag; a number with its unit, place and range. The place is 0 for a number that
- * becomes another one. */
-#define WORD(WITHIN, NAME, VALUES, STANDARD, TEXT)                                                 \
-  { .within = WITHIN, .name = NAME, .values = VALUES, .standard = STANDARD, .text = TEXT }
-#define FLAG(WITHIN, NAME, VALUES, MEMBER, STANDARD, TEXT)                                         \
-  {                                                                                                \
-    .within = WITHIN, .name = NAME, .values = VALUES, .standard = STANDARD, .text = TEXT,          \
-    .flag = offsetof(asp_description, MEMBER)                                                      \
-  }
-#define NUMBER(WITHIN, NAME, VALUES, UNIT, PLACE, STANDARD, TEXT, ...)                             \
-  {                                                                                                \
-    .within = WITHIN, .name = NAME, .values = VALUES, .unit = UNIT, .standard = STANDARD,          \
-    .text = TEXT, .number = PLACE, __VA_ARGS__                                                     \
-  }
 #define AT(member) offsetof(asp_description, member)
-#define NOWHERE 0
+#define NUMBER(UNIT, MEMBER) .unit = UNIT, .number = AT(MEMBER)
 #define FROM(LEAST, MOST) .least = LEAST, .most = MOST
 #define POSITIVE .most = INFINITY, .above = true
+#define SETS(MEMBER, VALUE) .flag = AT(MEMBER), .sets = VALUE
 
-static const asp_keyword keywords[] = {
-    WORD("", "surface",
-         "smooth | sigma ANGLE [lambda_c L] | rq R lambda_c L [L_along lay DIRECTION] | profile "
-         "FILE | map FILE [lay DIRECTION]; for rq R also ra R or sq R, for lambda_c L also rdq S "
-         "or rsm L [sampling LR], behind sq sdq S or sal L",
-         "smooth", "the roughness of the wall"),
-    WORD("", "spread", "MODEL", "visible; profile on a measured wall, none on a smooth one",
-         "the distribution of the tilt of the face that is hit"),
-    WORD("", "rebound", "LAW [PARAMETER VALUE]...", "bons", "the velocity after a hit"),
-    WORD("", "materials", "NAME...", "",
-         "materials of particles and walls: in a script one name for each atom type, in a command "
-         "one for the particles and one for the wall"),
-    NUMBER("", "friction", "F", "", AT(friction), "0.3",
-           "coefficient of friction of all pairs of materials", FROM(0, INFINITY), .may_fit = true),
-    NUMBER("", "surface_energy", "G", "energy/area", AT(surface_energy), "0.8 J/m2",
-           "surface energy of all pairs of materials", FROM(0, INFINITY), .may_fit = true),
-    NUMBER("", "yield_stress", "Y", "stress", AT(yield_stress), "the material's",
-           "yield stress of all particles", FROM(0, INFINITY), .may_fit = true),
-    WORD("", "deposit", "freeze | delete | off", "freeze",
-         "what the wall does with particles that stick; off: nothing sticks"),
-    WORD("", "grain", "sphere | lever S", "sphere", "the shape of the grains"),
-    WORD("", "erosion", "LAW [PARAMETER VALUE]... [density RHO] [face mean | tilted]", "none",
-         "the mass that impacts wear off the wall"),
-    NUMBER("", "seed", "N", "", AT(seed), "1", "seed of the random draws", FROM(0, 4294967295.0),
-           .fallback = 1, .whole = true),
-    NUMBER("surface", "sigma", "ANGLE", "degrees", AT(sigma), "",
-           "atan of the rms slope, for particles of any size", FROM(0.001, 54), .may_fit = true),
-    NUMBER("surface", "rq", "R", "length", AT(r_q), "", "rms height", POSITIVE, .may_fit = true),
-    NUMBER("surface", "lambda_c", "L [L_along]", "length", AT(lambda_c), "",
-           "correlation length, at which the autocorrelation is 1/e; with a lay the one across it, "
-           "then the one along it; behind sigma, that of the faces (as long as the particle)",
-           POSITIVE, .may_fit = true),
-    NUMBER("surface", "ra", "R", "length", NOWHERE, "", "mean absolute height: R_q = 1.2533 R_a",
-           POSITIVE),
-    NUMBER("surface", "sq", "R", "length", NOWHERE, "", "rms height of an area: the same as rq",
-           POSITIVE),
-    NUMBER("surface", "rdq", "S", "", NOWHERE, "",
-           "rms slope of a profile, or its angle with a unit: lambda_c = 1.4142 R_q/R_dq",
-           POSITIVE),
-    NUMBER(
-        "surface", "rsm", "L [sampling LR]", "length", NOWHERE, "",
-        "mean width of elements by ISO 4287; depends on the sampling length, so that rdq is better",
-        POSITIVE),
-    NUMBER("surface", "sampling", "LR", "length", NOWHERE, "",
-           "sampling length of rsm: the cut-off", POSITIVE),
-    NUMBER("surface", "sdq", "S", "", NOWHERE, "",
-           "rms slope of an area, or its angle with a unit: lambda_c = 2 S_q/S_dq", POSITIVE),
-    NUMBER("surface", "sal", "L", "length", NOWHERE, "",
-           "length at which the autocorrelation is 0.2: lambda_c = 0.7882 S_al", POSITIVE),
-    WORD("surface", "profile", "FILE", "", "a measured profile"),
-    WORD("surface", "map", "FILE", "", "a measured map"),
-    NUMBER("surface", "lay", "X Y Z | axial | circumferential | ANGLE", "degrees", NOWHERE, "",
-           "direction of the lay: a vector along the wall, or an angle from a cylinder's axis",
-           FROM(-180, 180)),
-    NUMBER("surface", "dp_bins", "N", "", AT(bins), "16; of a map 6",
-           "number of diameters for which a measured wall is prepared", FROM(1, ASP_BINS_MAX),
-           .whole = true),
-    WORD("spread", "plane", "", "", "faces tilt in the plane of incidence only"),
-    FLAG("spread", "isotropic", "", choice.isotropic, "yes", "faces tilt all around"),
-    FLAG("spread", "collisions", "single | multiple", choice.multiple, "multiple",
-         "single: a rebound into the wall is drawn again; multiple: it hits the next face"),
-    NUMBER("erosion", "density", "RHO", "density", AT(choice.erosion.density),
-           "that of the wall's material", "density of the wall", POSITIVE),
-    FLAG("erosion", "face", "mean | tilted", choice.erosion.tilted, "mean",
-         "take the impact angle on the mean wall, or on each face that is hit"),
-    NUMBER("grain", "lever", "S", "", AT(choice.lever), "",
-           "an equivalent sphere whose center of mass is off by N(0, S d_p) per axis, drawn anew "
-           "at each impact",
-           FROM(0, 0.5), .above = true, .may_fit = true),
-    FLAG("rebound", "scatter_twice", "", choice.scatter_twice, "no",
-         "allow the law's own scatter on a rough wall"),
-    WORD("materials", "file", "FILE", "",
-         "materials of your own, as `asperity materials` prints them"),
-    WORD("deposit", "remove",
-         "[u_tau U] gas_density RHO gas_viscosity NU [adhesion MEDIAN] [adhesion_spread S]", "no",
-         "a flow along the wall takes away what freezes, at the rate of Reeks & Hall 2001"),
-    NUMBER("remove", "u_tau", "U", "speed", AT(choice.flow.u_tau), "",
-           "friction velocity of the flow; needed, but where the flow is computed (OpenFOAM)",
-           POSITIVE),
-    NUMBER("remove", "gas_density", "RHO", "density", AT(choice.flow.density), "",
-           "density of the gas", POSITIVE),
-    NUMBER("remove", "gas_viscosity", "NU", "length2/time", AT(choice.flow.viscosity), "",
-           "kinematic viscosity of the gas", POSITIVE),
-    NUMBER("remove", "adhesion", "MEDIAN", "", AT(choice.flow.adhesion), "by the size",
-           "median of adhesion over that of a smooth contact", FROM(0, 1), .above = true),
-    NUMBER("remove", "adhesion_spread", "S", "", AT(choice.flow.spread), "by the size",
-           "geometric standard deviation of the adhesion", FROM(1, INFINITY)),
+/* Within what, name, values, default, meaning. */
+static const aspi_keyword keywords[] = {
+    {"", "surface",
+     "smooth | sigma ANGLE [lambda_c L] | rq R lambda_c L [L_along lay DIRECTION] | profile "
+     "FILE | map FILE [lay DIRECTION]; for rq R also ra R or sq R, for lambda_c L also rdq S "
+     "or rsm L [sampling LR], behind sq sdq S or sal L",
+     "smooth", "the roughness of the wall", .shown = ASPI_ALWAYS},
+    {"", "spread", "MODEL", "visible; profile on a measured wall, none on a smooth one",
+     "the distribution of the tilt of the face that is hit", .shown = ASPI_IF_ROUGH},
+    {"", "rebound", "LAW [PARAMETER VALUE]...", "bons", "the velocity after a hit",
+     .shown = ASPI_ALWAYS, .may_fit = true},
+    {"", "materials", "NAME...", "",
+     "materials of particles and walls: in a script one name for each atom type, in a command "
+     "one for the particles and one for the wall",
+     .in_si = true},
+    {"", "friction", "F", "0.3", "coefficient of friction of all pairs of materials",
+     NUMBER("", friction), FROM(0, INFINITY), .may_fit = true, .fallback = NAN},
+    {"", "surface_energy", "G", "0.8 J/m2", "surface energy of all pairs of materials",
+     NUMBER("energy/area", surface_energy), FROM(0, INFINITY), .may_fit = true, .fallback = NAN},
+    {"", "yield_stress", "Y", "the material's", "yield stress of all particles",
+     NUMBER("stress", yield_stress), FROM(0, INFINITY), .may_fit = true, .fallback = NAN},
+    {"", "deposit", "freeze | delete | off", "freeze",
+     "what the wall does with particles that stick; off: nothing sticks", .shown = ASPI_ALWAYS,
+     .choice = AT(deposit)},
+    {"", "grain", "sphere | lever S", "sphere", .text = "the shape of the grains"},
+    {"", "erosion", "LAW [PARAMETER VALUE]... [density RHO] [face mean | tilted]", "none",
+     "the mass that impacts wear off the wall", .in_si = true},
+    {"", "seed", "N", "1", "seed of the random draws", NUMBER("", seed), FROM(0, 4294967295.0),
+     .fallback = 1, .whole = true, .shown = ASPI_ALWAYS},
+    {"surface", "smooth", "", "", NULL, .after = "", SETS(kind, ASPI_SMOOTH), .shown = ASPI_ALWAYS},
+    {"surface", "sigma", "ANGLE", "", "atan of the rms slope, for particles of any size",
+     .after = "", NUMBER("degrees", sigma), FROM(0.001, 54), .may_fit = true, .fallback = 5,
+     SETS(kind, ASPI_SIGMA)},
+    {"surface", "rq", "R", "", "rms height", .after = "", NUMBER("length", r_q), POSITIVE,
+     .may_fit = true, SETS(kind, ASPI_GAUSSIAN)},
+    {"surface", "lambda_c", "L [L_along]", "",
+     "correlation length, at which the autocorrelation is 1/e; with a lay the one across it, "
+     "then the one along it; behind sigma, that of the faces (as long as the particle)",
+     .after = "rq ra sq sigma", NUMBER("length", lambda_c), POSITIVE, .may_fit = true},
+    {"surface", "ra", "R", "", "mean absolute height: R_q = 1.2533 R_a", .after = "",
+     NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .shown = ASPI_NEVER},
+    {"surface", "sq", "R", "", "rms height of an area: the same as rq", .after = "",
+     NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .shown = ASPI_NEVER},
+    {"surface", "rz", "", "", NULL, .after = "", .shown = ASPI_NEVER},
+    {"surface", "rdq", "S", "",
+     "rms slope of a profile, or its angle with a unit: lambda_c = 1.4142 R_q/R_dq",
+     .after = "rq ra", NUMBER("", spacing), POSITIVE, .shown = ASPI_NEVER},
+    {"surface", "rsm", "L [sampling LR]", "",
+     "mean width of elements by ISO 4287; depends on the sampling length, so that rdq is better",
+     .after = "rq ra", NUMBER("length", spacing), POSITIVE, .shown = ASPI_NEVER},
+    {"surface", "sampling", "LR", "", "sampling length of rsm: the cut-off", .after = "rsm",
+     NUMBER("length", sampling), POSITIVE, .shown = ASPI_NEVER},
+    {"surface", "sdq", "S", "",
+     "rms slope of an area, or its angle with a unit: lambda_c = 2 S_q/S_dq", .after = "sq",
+     NUMBER("", spacing), POSITIVE, .shown = ASPI_NEVER},
+    {"surface", "sal", "L", "",
+     "length at which the autocorrelation is 0.2: lambda_c = 0.7882 S_al", .after = "sq",
+     NUMBER("length", spacing), POSITIVE, .shown = ASPI_NEVER},
+    {"surface", "profile", "FILE", "", "a measured profile", .after = "", .string = AT(file),
+     SETS(kind, ASPI_PROFILE)},
+    {"surface", "map", "FILE", "", "a measured map", .after = "", .string = AT(file),
+     SETS(kind, ASPI_MAP)},
+    {"surface", "lay", "X Y Z | axial | circumferential | ANGLE", "",
+     "direction of the lay: a vector along the wall, or an angle from a cylinder's axis",
+     .unit = "degrees", FROM(-180, 180)},
+    {"surface", "dp_bins", "N", "16; of a map 6",
+     "number of diameters for which a measured wall is prepared", NUMBER("", bins),
+     FROM(1, ASP_BINS_MAX), .whole = true},
+    {"spread", "plane", "", "", "faces tilt in the plane of incidence only",
+     SETS(choice.isotropic, false), .shown = ASPI_ALWAYS},
+    {"spread", "isotropic", "", "yes", "faces tilt all around", SETS(choice.isotropic, true),
+     .shown = ASPI_ALWAYS},
+    {"spread", "collisions", "single | multiple", "multiple",
+     "single: a rebound into the wall is drawn again; multiple: it hits the next face",
+     .choice = AT(choice.multiple), .shown = ASPI_ALWAYS},
+    {"erosion", "density", "RHO", "that of the wall's material", "density of the wall",
+     NUMBER("density", choice.erosion.density), POSITIVE},
+    {"erosion", "face", "mean | tilted", "mean",
+     "take the impact angle on the mean wall, or on each face that is hit",
+     .choice = AT(choice.erosion.tilted), .shown = ASPI_ALWAYS},
+    {"grain", "sphere", "", "", NULL, .after = "", .shown = ASPI_NEVER},
+    {"grain", "lever", "S", "",
+     "an equivalent sphere whose center of mass is off by N(0, S d_p) per axis, drawn anew "
+     "at each impact",
+     .after = "", NUMBER("", choice.lever), FROM(0, 0.5), .above = true, .may_fit = true,
+     .fallback = NAN},
+    {"rebound", "scatter_twice", "", "no", "allow the law's own scatter on a rough wall",
+     SETS(choice.scatter_twice, true)},
+    {"materials", "file", "FILE", "", "materials of your own, as `asperity materials` prints them",
+     .string = AT(materials_file)},
+    {"deposit", "remove",
+     "[u_tau U] gas_density RHO gas_viscosity NU [adhesion MEDIAN] [adhesion_spread S]", "no",
+     "a flow along the wall takes away what freezes, at the rate of Reeks & Hall 2001",
+     .in_si = true},
+    {"remove", "u_tau", "U", "",
+     "friction velocity of the flow; needed, but where the flow is computed (OpenFOAM)",
+     NUMBER("speed", choice.flow.u_tau), POSITIVE},
+    {"remove", "gas_density", "RHO", "", "density of the gas",
+     NUMBER("density", choice.flow.density), POSITIVE, .needed = true},
+    {"remove", "gas_viscosity", "NU", "", "kinematic viscosity of the gas",
+     NUMBER("length2/time", choice.flow.viscosity), POSITIVE, .needed = true},
+    {"remove", "adhesion", "MEDIAN", "by the size",
+     "median of adhesion over that of a smooth contact", NUMBER("", choice.flow.adhesion),
+     FROM(0, 1), .above = true},
+    {"remove", "adhesion_spread", "S", "by the size",
+     "geometric standard deviation of the adhesion", NUMBER("", choice.flow.spread),
+     FROM(1, INFINITY)},
 };
 
 int aspi_keyword_count(void) {
   return (int)(sizeof keywords / sizeof *keywords);
 }
 
-const asp_keyword *asp_keyword_at(int index) {
+const aspi_keyword *aspi_keyword_at(int index) {
   return index >= 0 && index < aspi_keyword_count() ? &keywords[index] : NULL;
 }
 
-const asp_keyword *aspi_keyword_find(const char *within, const char *name) {
+const aspi_keyword *aspi_keyword_find(const char *within, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
     if (strcmp(keywords[i].within, within) == 0 && strcmp(keywords[i].name, name) == 0)
       return &keywords[i];
   return NULL;
 }
 
-void aspi_keyword_choice(const asp_keyword *k, const asp_description *d, char word[20]) {
-  bool flag;
-  memcpy(&flag, (const char *)d + k->flag, sizeof flag);
-  int length = (int)strcspn(k->values, " ");
-  snprintf(word, 20, "%.*s", flag ? 20 : length, flag ? strrchr(k->values, ' ') + 1 : k->values);
-}
-
-asp_code aspi_keyword_check(const asp_keyword *k, double value, asp_error *error) {
+asp_code aspi_keyword_check(const aspi_keyword *k, double value, asp_error *error) {
   if (!k->whole)
     return k->above ? aspi_check_positive(error, k->name, "", value)
                     : aspi_check_range(error, k->name, "", value, k->least, k->most);
@@ -154,13 +153,11 @@ asp_code aspi_keyword_check(const asp_keyword *k, double value, asp_error *error
 }
 
 void aspi_keyword_names(const char *within, char *list, size_t size) {
-  *list = '\0';
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    size_t used = strlen(list);
-    if (strcmp(keywords[i].within, within) == 0)
-      snprintf(list + used, size - used, "%s%s", used ? " " : "", keywords[i].name);
-  }
+  for (int i = 0; i < aspi_keyword_count(); i++)
+    if (strcmp(keywords[i].within, within) == 0 && keywords[i].text)
+      aspi_append(list, size, "%s%s", *list ? " " : "", keywords[i].name);
 }
 
 _Static_assert(sizeof keywords / sizeof *keywords <= CHAR_BIT * sizeof(uint64_t),
                "each keyword needs a bit in asp_description.given");
+_Static_assert(sizeof(bool) == 1, "flags and choices are bytes");

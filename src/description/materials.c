@@ -1,14 +1,12 @@
 /* The materials of a description.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
 #include "description/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static bool is_number(const char *word) {
   char *end;
@@ -21,15 +19,12 @@ static bool is_number(const char *word) {
 static asp_code fail_material(aspi_words *r, const char *name, const char *behind) {
   if (aspi_words_misplaced(r, name))
     return ASP_ENAME;
-  char keywords[ASPI_LIST_MOST], all[2 * ASPI_LIST_MOST], meant[64];
+  char keywords[ASPI_LIST_MOST] = "", all[2 * ASPI_LIST_MOST], meant[64];
   aspi_keyword_names("", keywords, sizeof keywords);
-  size_t used = strlen(keywords);
-  snprintf(keywords + used, sizeof keywords - used, " file %s", r->others);
+  aspi_append(keywords, sizeof keywords, " file %s", r->others);
   snprintf(all, sizeof all, "%s", keywords);
-  for (int i = 0; i < asp_material_count(); i++) {
-    used = strlen(all);
-    snprintf(all + used, sizeof all - used, " %s", asp_material_name(asp_material_at(i)));
-  }
+  for (int i = 0; i < asp_material_count(); i++)
+    aspi_append(all, sizeof all, " %s", asp_material_name(asp_material_at(i)));
   if (aspi_nearest_name(name, all, meant) && aspi_words_in_list(meant, keywords))
     return aspi_fail(r->error, ASP_ENAME,
                      "'%.100s' is neither a material nor a keyword; did you mean '%s'?", name,
@@ -64,9 +59,10 @@ static asp_material *converted(const asp_material *m, const asp_units *units, as
 }
 
 /* Names end where the file or another keyword begins. */
-static asp_code read_names(aspi_words *r) {
+asp_code aspi_names_read(aspi_words *r, const aspi_keyword *k) {
+  (void)k;
   asp_description *d = r->d;
-  char keywords[ASPI_LIST_MOST];
+  char keywords[ASPI_LIST_MOST] = "";
   aspi_keyword_names("", keywords, sizeof keywords);
   while (r->next < r->count && !aspi_words_next_is(r, "file") &&
          !aspi_words_in_list(r->words[r->next], keywords) &&
@@ -83,20 +79,12 @@ static asp_code read_names(aspi_words *r) {
   return ASP_OK;
 }
 
-asp_code aspi_words_materials(aspi_words *r) {
+asp_code aspi_names_finish(aspi_words *r) {
   asp_description *d = r->d;
-  asp_code code = read_names(r);
-  if (!code && aspi_words_take(r, "file")) {
-    code = aspi_words_file(r, "the file of 'materials'", &d->materials_file);
-    asp_error wrong;
-    d->own = code ? NULL : aspi_materials_read(d->materials_file, &wrong);
-    if (!code && !d->own)
-      code = aspi_fail(r->error, wrong.code, "materials: %s", wrong.text);
-  }
-  if (!code)
-    code = aspi_words_check_units(r, "materials are");
-  if (code)
-    return code;
+  asp_error wrong;
+  d->own = d->materials_file ? aspi_materials_read(d->materials_file, &wrong) : NULL;
+  if (d->materials_file && !d->own)
+    return aspi_fail(r->error, wrong.code, "materials: %s", wrong.text);
   d->materials = calloc((size_t)d->n_materials + 1, sizeof *d->materials);
   if (!d->materials)
     return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
@@ -109,4 +97,10 @@ asp_code aspi_words_materials(aspi_words *r) {
       return ASP_ENOMEM;
   }
   return ASP_OK;
+}
+
+void aspi_names_write(aspi_line *l, const asp_description *d, const aspi_keyword *k) {
+  (void)k;
+  for (int i = 0; i < d->n_materials; i++)
+    aspi_line_name(l, d->names[i]);
 }

@@ -1,222 +1,91 @@
 /* Reads the description of a wall, clause by clause; see keywords.c for its words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/error.h"
-#include "base/number.h"
-#include "base/quantity.h"
 #include "description/words.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-static asp_code read_model(aspi_words *r) {
-  const char *name = aspi_words_word(r, "the spread model");
-  if (!name)
-    return ASP_EARG;
-  char list[ASPI_LIST_MOST] = "";
-  for (int i = 1; i < asp_spread_count(); i++) { /* 0 is `none`, that of smooth walls */
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
-             asp_spread_name(asp_spread_at(i)));
-  }
-  r->d->spread = asp_spread_find(name, NULL);
-  return r->d->spread && r->d->spread != asp_spread_at(0)
-             ? ASP_OK
-             : aspi_fail_unknown(r->error, "spread model", name, list);
+/* True if the keyword may be the next word; `first`: that is the first one behind its keyword. */
+static bool may_be_next(const aspi_words *r, const aspi_keyword *k, bool first) {
+  return !k->after || (*k->after ? aspi_given_of(r->d, k->after, 0) != NULL : first);
 }
 
-static asp_code read_spread(aspi_words *r) {
-  asp_description *d = r->d;
-  bool any;
-  asp_code code = read_model(r);
-  if (!code)
-    code = aspi_words_values(r, "spread", &any);
-  if (code || !aspi_is_given(d, "plane"))
-    return code;
-  if (aspi_is_given(d, "isotropic"))
-    return aspi_fail(r->error, ASP_EARG, "'plane' and 'isotropic' are given; it must be one");
-  d->choice.isotropic = false;
-  return ASP_OK;
-}
-
-/* A law as its clause reads it. */
-typedef struct law_clause {
-  const asp_parameter *parameters;
-  int count;
-  bool may_fit, positive; /* positive: those whose least value is 0 are more than that */
-  unsigned given;         /* a bit for each parameter */
-  asp_code (*take)(aspi_words *r, const asp_parameter *p, int index, double value);
-} law_clause;
-
-static asp_code read_parameter(aspi_words *r, const law_clause *l, int index) {
-  const asp_parameter *p = &l->parameters[index];
-  const char *given = aspi_words_word(r, p->name), *start = given;
-  if (!given)
-    return ASP_EARG;
-  double value = p->fallback;
-  bool unknown = l->may_fit && !p->words && aspi_words_unknown(r, given, &start);
-  asp_code code = ASP_OK;
-  if (p->words)
-    code = aspi_parameter_read(p, given, &value, r->error);
-  else if (start)
-    code = aspi_quantity_read(p->name, start, p->unit, &r->d->units, &value, r->error);
-  if (!code && start && !p->words)
-    code = aspi_quantity_check(p->name, start, p->unit, value, p->least, p->most,
-                               l->positive && !(p->least < 0), r->error);
-  if (!code)
-    code = l->take(r, p, index, value);
-  return !code && unknown ? aspi_words_add_unknown(r, p->name) : code;
-}
-
-/* The values of all parameters of a law that follow one word; "": its name. */
-static asp_code read_parameters(aspi_words *r, const law_clause *l, const char *keyword) {
-  asp_code code = ASP_OK;
-  for (int i = 0; i < l->count && !code; i++)
-    if (strcmp(aspi_parameter_keyword(&l->parameters[i]), keyword) == 0)
-      code = read_parameter(r, l, i);
-  return code;
-}
-
-/* The parameters of the next word; *more is false where it has none. */
-static asp_code read_more(aspi_words *r, law_clause *l, bool *more) {
-  for (int i = 0; i < l->count; i++) {
-    const char *keyword = aspi_parameter_keyword(&l->parameters[i]);
-    if (!*keyword || !aspi_words_take(r, keyword))
+/* The keyword within one that comes next, which is taken; NULL: there is none. */
+static const aspi_keyword *take_keyword(aspi_words *r, const aspi_keyword *of, bool first,
+                                        asp_code *code) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (strcmp(k->within, of->name) != 0 || !may_be_next(r, k, first) ||
+        !aspi_words_take(r, k->name))
       continue;
-    if (l->given >> i & 1)
-      return aspi_fail(r->error, ASP_EARG, "'%s' is given twice", keyword);
-    l->given |= 1u << i;
-    return read_parameters(r, l, keyword);
+    if (aspi_is_given(r->d, k->name))
+      *code = aspi_fail(r->error, ASP_EARG, "'%s' is given twice", k->name);
+    return k;
   }
-  *more = false;
-  return ASP_OK;
+  return NULL;
 }
 
-/* All that follows: keywords within the clause, and words of the law. */
-static asp_code read_rest(aspi_words *r, law_clause *l, const char *within) {
-  asp_code code = ASP_OK;
-  for (bool more = true, any; more && !code; more = more || any) {
-    code = aspi_words_values(r, within, &any);
-    if (!code)
-      code = read_more(r, l, &more);
-  }
-  return code;
-}
-
-static asp_code read_table(aspi_words *r) {
-  asp_description *d = r->d;
-  asp_code code = aspi_words_file(r, "the file of 'rebound table'", &d->table);
-  if (!code)
-    code = aspi_words_check_units(r, "a table is");
-  if (code)
-    return code;
-  aspi_cor_table_free(d->cor_table);
-  d->cor_table = aspi_cor_table_read(d->table, d->units.meter / d->units.second, r->error);
-  d->choice.table = d->cor_table;
-  return d->cor_table ? ASP_OK : ASP_EDATA;
-}
-
-static asp_code take_parameter(aspi_words *r, const asp_parameter *p, int index, double value) {
-  (void)index;
-  return asp_description_set(r->d, p->name, value, r->error);
-}
-
-/* A law's parameters follow its name, or words of their own, some of them one for several. */
-static asp_code read_rebound(aspi_words *r) {
-  const char *name = aspi_words_word(r, "the rebound law");
-  const asp_rebound_law *of = name ? asp_rebound_find(name, r->error) : NULL;
-  if (!of)
-    return name ? ASP_ENAME : ASP_EARG;
-  law_clause l = {of->parameters, of->n_parameters, true, false, 0, take_parameter};
-  aspi_wall_choose_law(&r->d->choice, of);
-  asp_code code = read_parameters(r, &l, "");
-  if (!code && of->needs_table)
-    code = read_table(r);
-  if (!code)
-    code = read_rest(r, &l, "rebound");
-  r->d->of_law = l.given;
-  return code;
-}
-
-static asp_code take_erosion(aspi_words *r, const asp_parameter *p, int index, double value) {
-  aspi_erosion *erosion = &r->d->choice.erosion;
-  erosion->given[index] = value;
-  erosion->si[index] = p->words ? value : value / aspi_quantity_factor(p->unit, &r->d->units);
-  return ASP_OK;
-}
-
-static asp_code read_erosion(aspi_words *r) {
-  aspi_erosion *erosion = &r->d->choice.erosion;
-  r->of = " of 'erosion'";
-  const char *name = aspi_words_word(r, "the law");
-  const aspi_erosion_law *of = name ? aspi_erosion_find(name, r->error) : NULL;
-  if (!of)
-    return name ? ASP_ENAME : ASP_EARG;
-  asp_code code = aspi_words_check_units(r, "erosion is");
-  if (code)
-    return code;
-  aspi_erosion_take(erosion, of, &r->d->units);
-  law_clause l = {of->parameters, of->n_parameters, false, true, 0, take_erosion};
-  code = read_parameters(r, &l, "");
-  return code ? code : read_rest(r, &l, "erosion");
-}
-
-static asp_code read_removal(aspi_words *r) {
-  aspi_set_given(r->d, "remove");
-  asp_code code = aspi_words_check_units(r, "removal is");
-  r->d->choice.flow.micron = 1e-6 * aspi_quantity_factor("length", &r->d->units);
-  bool any;
-  if (!code)
-    code = aspi_words_values(r, "remove", &any);
-  if (!code && !(aspi_is_given(r->d, "gas_density") && aspi_is_given(r->d, "gas_viscosity")))
-    code = aspi_fail(r->error, ASP_EARG,
-                     "behind 'remove', 'u_tau U gas_density RHO gas_viscosity NU' is expected");
-  return code;
-}
-
-static asp_code read_deposit(aspi_words *r) {
-  static const char *const kinds[] = {"freeze", "delete", "off"};
-  const char *given = aspi_words_word(r, "the value of 'deposit'");
+/* The word's number among those of `freeze | delete | off`. */
+static asp_code read_choice(aspi_words *r, const aspi_keyword *k, uint8_t *place) {
+  const char *given = aspi_words_word(r, k->name);
+  int index = given ? aspi_word_index(k->values, given, strlen(given), true) : 0;
   if (!given)
     return ASP_EARG;
-  int kind = 0;
-  while (kind < 3 && strcmp(given, kinds[kind]) != 0)
-    kind++;
-  if (kind == 3)
-    return aspi_fail(r->error, ASP_EARG, "deposit is '%.100s'; it must be freeze, delete or off",
-                     given);
-  r->d->deposit = (aspi_deposit)kind;
-  r->d->choice.deposit = r->d->deposit != ASPI_DEPOSIT_OFF;
-  return aspi_words_take(r, "remove") ? read_removal(r) : ASP_OK;
+  *place = (uint8_t)(index / 2);
+  return index >= 0 && index % 2 == 0
+             ? ASP_OK
+             : aspi_fail(r->error, ASP_EARG, "%s is '%.100s'; it must be %s", k->name, given,
+                         k->values);
 }
 
-static asp_code read_grain(aspi_words *r) {
-  bool known = aspi_words_take(r, "sphere");
-  asp_code code = known ? ASP_OK : aspi_words_values(r, "grain", &known);
-  if (code || known)
-    return code;
-  const char *given = aspi_words_word(r, "the value of 'grain'");
-  return given ? aspi_fail(r->error, ASP_EARG, "grain is '%.100s'; it must be sphere or lever S",
-                           given)
+/* A keyword's value to its place. */
+static asp_code read_value(aspi_words *r, const aspi_keyword *k) {
+  void *place = (char *)r->d + k->number + k->string + k->choice; /* two of them are 0 */
+  if (k->flag)
+    *((uint8_t *)r->d + k->flag) = k->sets;
+  const aspi_form *form = aspi_form_of(k);
+  return form->read  ? form->read(r, k)
+         : k->number ? aspi_words_number(r, k, place)
+         : k->string ? aspi_words_file(r, k->name, place)
+         : k->choice ? read_choice(r, k, place)
+                     : ASP_OK;
+}
+
+/* Checks what had to follow a keyword, of which there were `any`. */
+static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
+  for (int i = 0; i < aspi_keyword_count(); i++) {
+    const aspi_keyword *k = aspi_keyword_at(i);
+    if (strcmp(k->within, of->name) == 0 && k->needed && !aspi_is_given(r->d, k->name))
+      return aspi_fail(r->error, ASP_EARG, "behind '%s', '%s %s' is expected", of->name, k->name,
+                       k->values);
+  }
+  bool has_value = aspi_form_of(of)->read || of->number || of->string || of->choice || !*of->values;
+  if (any || has_value)
+    return ASP_OK;
+  const char *given = aspi_words_word(r, of->name);
+  return given ? aspi_fail(r->error, ASP_ENAME, "%s is '%.100s'; it must be %s", of->name, given,
+                           of->values)
                : ASP_EARG;
 }
 
-/* Clauses that are more than a number. */
-static const struct {
-  const char *name;
-  asp_code (*read)(aspi_words *r);
-} clauses[] = {{"surface", aspi_words_surface}, {"spread", read_spread},
-               {"rebound", read_rebound},       {"materials", aspi_words_materials},
-               {"deposit", read_deposit},       {"grain", read_grain},
-               {"erosion", read_erosion}};
-
-static asp_code read_clause(aspi_words *r, const asp_keyword *k) {
-  for (size_t i = 0; i < sizeof clauses / sizeof *clauses; i++)
-    if (strcmp(clauses[i].name, k->name) == 0)
-      return clauses[i].read(r);
-  return aspi_words_value(r, k);
+/* A keyword whose name is taken: its value, and the keywords within it. */
+static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
+  aspi_set_given(r->d, k->name);
+  asp_code code = read_value(r, k);
+  if (!code && k->in_si)
+    code = aspi_words_check_units(r, k->name);
+  const aspi_form *form = aspi_form_of(k);
+  bool any = false;
+  for (bool more = true; more && !code; any = any || more) {
+    const aspi_keyword *in = take_keyword(r, k, !any, &code);
+    more = in || (form->more && form->more(r, k, &code));
+    if (in && !code)
+      code = read_keyword(r, in);
+  }
+  if (!code)
+    code = check_within(r, k, any);
+  return !code && form->finish ? form->finish(r) : code;
 }
 
 /* The clause that a name of a law, a model or a material belongs to; NULL: it is none. */
@@ -237,23 +106,17 @@ static asp_code fail_keyword(const aspi_words *r, const char *name) {
   if (clause && !aspi_is_given(r->d, clause))
     return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s %s", name, clause, clause,
                      name);
-  char list[ASPI_LIST_MOST];
+  char list[ASPI_LIST_MOST] = "";
   aspi_keyword_names("", list, sizeof list);
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
-    size_t used = strlen(list);
-    if (*r->d->last && strcmp(k->within, r->d->last) == 0)
-      snprintf(list + used, sizeof list - used, " %s", k->name);
-  }
+  if (*r->d->last)
+    aspi_keyword_names(r->d->last, list, sizeof list);
   const asp_rebound_law *of = r->d->choice.law;
   for (int i = 0; i < of->n_parameters && strcmp(r->d->last, "rebound") == 0; i++) {
     const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
-    size_t used = strlen(list);
     if (!aspi_words_in_list(keyword, list))
-      snprintf(list + used, sizeof list - used, " %s", keyword);
+      aspi_append(list, sizeof list, " %s", keyword);
   }
-  size_t used = strlen(list);
-  snprintf(list + used, sizeof list - used, "%s%s", *r->others ? " " : "", r->others);
+  aspi_append(list, sizeof list, "%s%s", *r->others ? " " : "", r->others);
   return aspi_fail_unknown(r->error, "keyword", name, list);
 }
 
@@ -261,20 +124,19 @@ asp_code asp_description_read(asp_description *d, int count, const char *const *
                               const char *others, int *taken, asp_error *error) {
   others = others ? others : "";
   asp_error wrong = d->broken;
-  aspi_words r = {d, words, count, 1, others, &wrong, ""};
+  aspi_words r = {d, words, count, 1, others, &wrong};
   *taken = 0;
   if (d->broken.code)
     return aspi_fail(error, wrong.code, "%s", wrong.text);
   if (count <= 0 || aspi_words_in_list(words[0], others))
     return ASP_OK;
-  const asp_keyword *k = aspi_keyword_find("", words[0]);
+  const aspi_keyword *k = aspi_keyword_find("", words[0]);
   asp_code code = k ? ASP_OK : fail_keyword(&r, words[0]);
   if (!code && aspi_is_given(d, words[0]))
     code = aspi_fail(&wrong, ASP_EARG, "'%s' is given twice", words[0]);
   if (!code) {
-    aspi_set_given(d, words[0]);
     d->last = k->name;
-    code = read_clause(&r, k);
+    code = read_keyword(&r, k);
     *taken = r.next;
   }
   if (!code)
@@ -316,7 +178,7 @@ static asp_code parse(asp_description *d, char *text, asp_error *error) {
     next += taken;
   }
   free(words);
-  return code ? code : asp_description_complete(d, error);
+  return code ? code : asp_description_check(d, error);
 }
 
 asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error) {

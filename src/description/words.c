@@ -2,14 +2,14 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/words.h"
-#include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
+
+/* ---- reading ---- */
 
 bool aspi_words_next_is(const aspi_words *r, const char *word) {
   return r->next < r->count && strcmp(r->words[r->next], word) == 0;
@@ -21,35 +21,24 @@ bool aspi_words_take(aspi_words *r, const char *word) {
   return here;
 }
 
-bool aspi_words_take_once(aspi_words *r, const char *name, asp_code *code) {
-  if (!aspi_words_take(r, name))
+bool aspi_words_number_next(const aspi_words *r) {
+  if (r->next >= r->count)
     return false;
-  if (aspi_is_given(r->d, name))
-    *code = aspi_fail(r->error, ASP_EARG, "'%s' is given twice", name);
-  aspi_set_given(r->d, name);
-  return true;
+  char *end;
+  aspi_number(r->words[r->next], &end);
+  return end > r->words[r->next];
 }
 
-/* The same for any keyword within another one. NULL if the next word is none of them. */
-static const asp_keyword *take_keyword(aspi_words *r, const char *within, asp_code *code) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
-    if (strcmp(k->within, within) == 0 && aspi_words_take_once(r, k->name, code))
-      return k;
-  }
-  return NULL;
-}
-
-const char *aspi_words_word(aspi_words *r, const char *what) {
+const char *aspi_words_word(aspi_words *r, const char *name) {
   if (r->next < r->count)
     return r->words[r->next++];
-  aspi_fail(r->error, ASP_EARG, "%s%s is missing", what, r->of);
+  aspi_fail(r->error, ASP_EARG, "the value of '%s' is missing", name);
   return NULL;
 }
 
 bool aspi_words_misplaced(const aspi_words *r, const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++) {
-    const asp_keyword *k = asp_keyword_at(i);
+    const aspi_keyword *k = aspi_keyword_at(i);
     if (!*k->within || strcmp(k->name, name) != 0)
       continue;
     bool here = strcmp(k->within, r->d->last) == 0;
@@ -62,120 +51,124 @@ bool aspi_words_misplaced(const aspi_words *r, const char *name) {
   return false;
 }
 
-bool aspi_words_number_next(const aspi_words *r) {
-  if (r->next >= r->count)
-    return false;
-  char *end;
-  aspi_number(r->words[r->next], &end);
-  return end > r->words[r->next];
-}
-
 char *aspi_words_copy(const char *text, asp_error *error) {
   size_t size = strlen(text) + 1;
   char *made = malloc(size);
-  if (made)
-    memcpy(made, text, size);
-  else
+  if (!made)
     aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
-  return made;
+  return made ? memcpy(made, text, size) : NULL;
 }
 
-asp_code aspi_words_file(aspi_words *r, const char *what, char **name) {
-  const char *given = aspi_words_word(r, what);
+asp_code aspi_words_file(aspi_words *r, const char *name, char **file) {
+  const char *given = aspi_words_word(r, name);
   if (!given)
     return ASP_EARG;
   if (strcmp(given, "-") == 0)
-    return aspi_fail(r->error, ASP_EARG, "%s is '-'; it must be the name of a file", what);
-  free(*name);
-  *name = aspi_words_copy(given, r->error);
-  return *name ? ASP_OK : ASP_ENOMEM;
+    return aspi_fail(r->error, ASP_EARG, "%s is '-'; it must be the name of a file", name);
+  free(*file);
+  *file = aspi_words_copy(given, r->error);
+  return *file ? ASP_OK : ASP_ENOMEM;
 }
 
-bool aspi_words_unknown(const aspi_words *r, const char *given, const char **start) {
-  bool alone = strcmp(given, "fit") == 0, begins = strncmp(given, "fit=", 4) == 0;
-  bool unknown = r->d->may_fit && (alone || begins);
-  *start = !unknown ? given : begins ? given + 4 : NULL;
-  return unknown;
+asp_code aspi_words_check_one(const aspi_words *r, const char *list) {
+  const char *second = aspi_given_of(r->d, list, 1);
+  return second ? aspi_fail(r->error, ASP_EARG, "'%s' and '%s' are given; it must be one",
+                            aspi_given_of(r->d, list, 0), second)
+                : ASP_OK;
 }
 
-asp_code aspi_words_add_unknown(aspi_words *r, const char *name) {
-  asp_description *d = r->d;
-  if (d->n_fits == ASPI_FITS_MOST)
-    return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d", name,
-                     ASPI_FITS_MOST);
-  d->fits[d->n_fits++] = name;
-  return ASP_OK;
+asp_code aspi_words_check_units(const aspi_words *r, const char *name) {
+  if (aspi_quantity_factor("stress", &r->d->units) > 0)
+    return ASP_OK;
+  return aspi_fail(r->error, ASP_EARG, "'%s' is in SI units, which cannot be converted to %s", name,
+                   r->d->units.name);
 }
 
-/* Degrees: default start of a fit of sigma. */
-#define SIGMA_START 5
-
-/* The default start of a fit. */
-static asp_code standard_start(aspi_words *r, const asp_keyword *k, double *value) {
+/* The start of a fit where none is given. */
+static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *value) {
   char units[120];
   aspi_quantity_units(k->unit, units, sizeof units);
-  if (strcmp(k->unit, "length") == 0)
-    return aspi_fail(r->error, ASP_EARG,
-                     "a fit of %s needs a value to begin with: say '%s fit=VALUE', in one of: %s",
-                     k->name, k->name, units);
-  *value = strcmp(k->name, "sigma") == 0 ? SIGMA_START : NAN;
-  return ASP_OK;
+  *value = k->fallback;
+  return strcmp(k->unit, "length") != 0
+             ? ASP_OK
+             : aspi_fail(
+                   r->error, ASP_EARG,
+                   "a fit of %s needs a value to begin with: say '%s fit=VALUE', in one of: %s",
+                   k->name, k->name, units);
 }
 
-asp_code aspi_words_number(aspi_words *r, const char *within, const char *name, double *value) {
-  const asp_keyword *k = aspi_keyword_find(within, name);
-  aspi_set_given(r->d, name);
-  const char *given = aspi_words_word(r, name), *start = given;
+asp_code aspi_words_number(aspi_words *r, const aspi_keyword *k, double *value) {
+  asp_description *d = r->d;
+  const char *given = aspi_words_word(r, k->name), *start = given;
   if (!given)
     return ASP_EARG;
-  bool unknown = k->may_fit && aspi_words_unknown(r, given, &start);
-  asp_code code = start ? aspi_quantity_read(name, start, k->unit, &r->d->units, value, r->error)
+  bool begins = strncmp(given, "fit=", 4) == 0;
+  bool unknown = d->may_fit && k->may_fit && (begins || strcmp(given, "fit") == 0);
+  if (unknown)
+    start = begins ? given + 4 : NULL;
+  asp_code code = start ? aspi_quantity_read(k->name, start, k->unit, &d->units, value, r->error)
                         : standard_start(r, k, value);
   if (!code && start)
     code = k->whole ? aspi_keyword_check(k, *value, r->error)
-                    : aspi_quantity_check(name, start, k->unit, *value, k->least, k->most, k->above,
-                                          r->error);
-  return !code && unknown ? aspi_words_add_unknown(r, k->name) : code;
+                    : aspi_quantity_check(k->name, start, k->unit, *value, k->least, k->most,
+                                          k->above, r->error);
+  if (code || !unknown)
+    return code;
+  if (d->n_fits == ASPI_FITS_MOST)
+    return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d",
+                     k->name, ASPI_FITS_MOST);
+  d->fits[d->n_fits++] = k->name;
+  return ASP_OK;
 }
 
-/* The choice of two words that sets a flag. */
-static asp_code read_flag(aspi_words *r, const asp_keyword *k, bool *flag) {
-  char what[60];
-  snprintf(what, sizeof what, "the value of '%s'", k->name);
-  const char *given = *k->values ? aspi_words_word(r, what) : NULL, *second = NULL;
-  *flag = true;
-  if (!*k->values)
-    return ASP_OK;
-  if (!given)
-    return ASP_EARG;
-  second = strrchr(k->values, ' ') + 1;
-  *flag = strcmp(given, second) == 0;
-  size_t length = strcspn(k->values, " ");
-  if (*flag || (strlen(given) == length && strncmp(given, k->values, length) == 0))
-    return ASP_OK;
-  return aspi_fail(r->error, ASP_EARG, "%s is '%.100s'; it must be %.*s or %s", k->name, given,
-                   (int)length, k->values, second);
+/* ---- writing ---- */
+
+void aspi_line_word(aspi_line *l, const char *word) {
+  size_t n = strlen(word);
+  if (l->length > 0)
+    l->length++;
+  if (l->length < l->size) {
+    if (l->length > 0)
+      l->text[l->length - 1] = ' ';
+    snprintf(l->text + l->length, l->size - l->length, "%s", word);
+  }
+  l->length += n;
 }
 
-asp_code aspi_words_value(aspi_words *r, const asp_keyword *k) {
-  void *place = (char *)r->d + k->number + k->flag; /* one of them is 0 */
-  aspi_set_given(r->d, k->name);
-  return k->number ? aspi_words_number(r, k->within, k->name, place)
-         : k->flag ? read_flag(r, k, place)
-                   : ASP_OK;
+void aspi_line_name(aspi_line *l, const char *name) {
+  size_t size = strlen(name) + 3;
+  char *quoted = strpbrk(name, " \t\"'") || !*name ? malloc(size) : NULL;
+  if (quoted) {
+    char quote = strchr(name, '"') ? '\'' : '"';
+    snprintf(quoted, size, "%c%s%c", quote, name, quote);
+  }
+  aspi_line_word(l, quoted ? quoted : name);
+  free(quoted);
 }
 
-asp_code aspi_words_values(aspi_words *r, const char *within, bool *any) {
-  asp_code code = ASP_OK;
-  const asp_keyword *k;
-  for (*any = false; !code && (k = take_keyword(r, within, &code)); *any = true)
-    code = code ? code : aspi_words_value(r, k);
-  return code;
+void aspi_line_word_of(aspi_line *l, const char *list, int number) {
+  char word[40];
+  for (; number > 0; number--)
+    list += strcspn(list, " ") + 1;
+  snprintf(word, sizeof word, "%.*s", (int)strcspn(list, " "), list);
+  aspi_line_word(l, word);
 }
 
-asp_code aspi_words_check_units(const aspi_words *r, const char *what) {
-  if (aspi_quantity_factor("stress", &r->d->units) > 0)
-    return ASP_OK;
-  return aspi_fail(r->error, ASP_EARG, "%s in SI units, which cannot be converted to %s", what,
-                   r->d->units.name);
+void aspi_line_number(aspi_line *l, double value) {
+  char text[32];
+  aspi_number_print(value, text);
+  aspi_line_word(l, text);
+}
+
+/* In SI a length over 1 mm and a stress under 1 MPa get their unit, since the command refuses them
+ * without one. */
+void aspi_line_value(aspi_line *l, const asp_description *d, const char *name, const char *kind,
+                     double value) {
+  bool is_si = !(d->units.meter < 1) && !(d->units.meter > 1);
+  bool length = is_si && strcmp(kind, "length") == 0 && isfinite(value) && value > 1e-3;
+  char text[48] = "fit=", *number = text + strlen(text);
+  (length ? aspi_quantity_print_length : aspi_number_print)(value, number);
+  if (is_si && strcmp(kind, "stress") == 0 && value > 0 && value < 1e6)
+    strcat(number, "Pa");
+  aspi_line_word(l, !aspi_is_fit(d, name) ? number : isnan(value) ? "fit" : text);
 }

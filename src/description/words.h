@@ -1,4 +1,4 @@
-/* The words of a description, one after the other, and the numbers among them.
+/* The words of a description, read and written one after the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_DESCRIPTION_WORDS_H
@@ -16,7 +16,6 @@ typedef struct aspi_words {
   int count, next;
   const char *others; /* words of the caller that end a list of names */
   asp_error *error;
-  const char *of; /* behind the name of a word that is missing */
 } aspi_words;
 
 /* True if the next word is this one, or begins with a number; take: and goes past it. */
@@ -24,39 +23,24 @@ bool aspi_words_next_is(const aspi_words *words, const char *word);
 bool aspi_words_take(aspi_words *words, const char *word);
 bool aspi_words_number_next(const aspi_words *words);
 
-/* True if the next word is this keyword, which is taken and noted as given; *code is ASP_EARG, with
- * a message, where it was given before. */
-bool aspi_words_take_once(aspi_words *words, const char *name, asp_code *code);
+/* Takes the next word; NULL and a message that the value of `name` is missing where there is none.
+ */
+const char *aspi_words_word(aspi_words *words, const char *name);
+
+/* Takes the name of a file into *file, from malloc. `-`, which cannot be read again, is refused. */
+asp_code aspi_words_file(aspi_words *words, const char *name, char **file);
+
+/* Takes a number, with its unit if it has one, or `fit` where it may be that. */
+asp_code aspi_words_number(aspi_words *words, const aspi_keyword *keyword, double *value);
 
 /* True, with a message where it belongs, if a word is a keyword within another one. */
 bool aspi_words_misplaced(const aspi_words *words, const char *name);
 
-/* Takes the next word; NULL and a message that names `what` where there is none. */
-const char *aspi_words_word(aspi_words *words, const char *what);
+/* ASP_EARG if two keywords of a list are given. */
+asp_code aspi_words_check_one(const aspi_words *words, const char *list);
 
-/* Takes the name of a file into *name, from malloc. `-`, which cannot be read again, is refused. */
-asp_code aspi_words_file(aspi_words *words, const char *what, char **name);
-
-/* Takes the number of a keyword, with its unit if it has one, or `fit` where it may be that. */
-asp_code aspi_words_number(aspi_words *words, const char *within, const char *name, double *value);
-
-/* Takes the value of a keyword, a number or a flag, to its place; of all that come next within
- * another one, `any` if there were some. */
-asp_code aspi_words_value(aspi_words *words, const asp_keyword *keyword);
-asp_code aspi_words_values(aspi_words *words, const char *within, bool *any);
-
-/* True if the word given is `fit` or `fit=START` and unknown numbers are allowed; *start is the
- * text of the number: START, NULL for none, else the word. add_unknown: notes the number of that
- * name as unknown. */
-bool aspi_words_unknown(const aspi_words *words, const char *given, const char **start);
-asp_code aspi_words_add_unknown(aspi_words *words, const char *name);
-
-/* ASP_EARG if the caller's units are not known: "<what> in SI units, which cannot be ...". */
-asp_code aspi_words_check_units(const aspi_words *words, const char *what);
-
-/* The clauses `surface` and `materials` (surface.c, materials.c). */
-asp_code aspi_words_surface(aspi_words *words);
-asp_code aspi_words_materials(aspi_words *words);
+/* ASP_EARG if the caller's units are not known. */
+asp_code aspi_words_check_units(const aspi_words *words, const char *name);
 
 enum { ASPI_LIST_MOST = 1000 }; /* characters of all words that may stand at one place */
 
@@ -67,5 +51,58 @@ static inline bool aspi_words_in_list(const char *word, const char *list) {
 
 /* A copy from malloc; NULL and a message when out of memory. */
 char *aspi_words_copy(const char *text, asp_error *error);
+
+/* The text so far; what does not fit is counted only. */
+typedef struct aspi_line {
+  char *text;
+  size_t size, length;
+} aspi_line;
+
+/* Adds a word; a name, in quotes where it would not be one word; the word of that number in a list;
+ * a number as it is; a number of some kind, or `fit=START` of an unknown one. */
+void aspi_line_word(aspi_line *line, const char *word);
+void aspi_line_name(aspi_line *line, const char *name);
+void aspi_line_word_of(aspi_line *line, const char *list, int number);
+void aspi_line_number(aspi_line *line, double value);
+void aspi_line_value(aspi_line *line, const asp_description *d, const char *name, const char *kind,
+                     double value);
+
+/* ---- values that are more than a number or a word ---- */
+
+/* How such a value is read and written; NULL: as that of any other keyword. */
+typedef struct aspi_form {
+  const char *name; /* of the keyword */
+  asp_code (*read)(aspi_words *words, const aspi_keyword *keyword);
+  void (*write)(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
+  asp_code (*finish)(aspi_words *words); /* after all words within the keyword */
+  /* Takes more words, which are none of the table; false: there are none. */
+  bool (*more)(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
+} aspi_form;
+
+/* The form of a keyword's value. */
+const aspi_form *aspi_form_of(const aspi_keyword *keyword);
+
+/* surface.c */
+asp_code aspi_lambda_c_read(aspi_words *words, const aspi_keyword *keyword);
+void aspi_lambda_c_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
+asp_code aspi_lay_read(aspi_words *words, const aspi_keyword *keyword);
+void aspi_lay_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
+asp_code aspi_slope_read(aspi_words *words, const aspi_keyword *keyword);
+asp_code aspi_rz_read(aspi_words *words, const aspi_keyword *keyword);
+asp_code aspi_surface_finish(aspi_words *words);
+
+/* laws.c: a model or a law by name, and the parameters of a law */
+asp_code aspi_spread_read(aspi_words *words, const aspi_keyword *keyword);
+asp_code aspi_spread_finish(aspi_words *words);
+void aspi_spread_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
+asp_code aspi_law_read(aspi_words *words, const aspi_keyword *keyword);
+bool aspi_law_more(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
+void aspi_law_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
+asp_code aspi_erosion_finish(aspi_words *words);
+
+/* materials.c */
+asp_code aspi_names_read(aspi_words *words, const aspi_keyword *keyword);
+asp_code aspi_names_finish(aspi_words *words);
+void aspi_names_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
 
 #endif

@@ -41,7 +41,7 @@ typedef struct aspi_erosion {
   double meter, meter_per_second, density_unit; /* how many of the caller's units make one of SI */
 } aspi_erosion;
 
-/* Takes a law and its defaults. */
+/* Takes a law and its defaults, as if they were given. */
 void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const asp_units *units);
 
 /* Mass of the wall per mass of the particle that one hit wears off; in the caller's units.

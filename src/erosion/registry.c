@@ -30,10 +30,9 @@ void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const
                             .meter = aspi_quantity_factor("length", units),
                             .meter_per_second = aspi_quantity_factor("speed", units),
                             .density_unit = aspi_quantity_factor("density", units)};
-  for (int i = 0; i < law->n_parameters; i++) {
-    erosion->si[i] = law->parameters[i].fallback;
-    erosion->given[i] = erosion->si[i] * aspi_quantity_factor(law->parameters[i].unit, units);
-  }
+  for (int i = 0; i < law->n_parameters; i++)
+    erosion->given[i] =
+        law->parameters[i].fallback * aspi_quantity_factor(law->parameters[i].unit, units);
 }
 
 double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, double v, double sine,

@@ -9,7 +9,6 @@
 #include "surface/profile.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,60 +17,49 @@ aspi_profile_options aspi_profile_options_default(void) {
   return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1};
 }
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static void
-append(aspi_profile_report *r, const char *format, ...) {
-  size_t used = strlen(r->text);
-  va_list args;
-  va_start(args, format);
-  vsnprintf(r->text + used, sizeof r->text - used, format, args);
-  va_end(args);
-}
-
 /* Adds what was read to what was mended. */
 static void write_report(aspi_profile_report *r, const aspi_raw *raw,
                          const aspi_profile_options *options) {
   const aspi_filters *f = &options->filters;
   *r->text = '\0';
   if (raw->is_map)
-    append(r, "%zu x %zu", raw->columns, raw->rows);
+    aspi_append(r->text, sizeof r->text, "%zu x %zu", raw->columns, raw->rows);
   else
-    append(r, "%zu", raw->read);
-  append(r, " points read, %zu bad", raw->bad);
+    aspi_append(r->text, sizeof r->text, "%zu", raw->read);
+  aspi_append(r->text, sizeof r->text, " points read, %zu bad", raw->bad);
   if (r->spikes)
-    append(r, ", %zu spikes", r->spikes);
+    aspi_append(r->text, sizeof r->text, ", %zu spikes", r->spikes);
   if (r->filled)
-    append(r, ", %zu points filled in (longest gap %zu)", r->filled, r->longest_gap);
+    aspi_append(r->text, sizeof r->text, ", %zu points filled in (longest gap %zu)", r->filled,
+                r->longest_gap);
   if (raw->resampled)
-    append(r, ", unequal spacing of %.4g to %.4g m resampled to %.4g m", raw->step_least,
-           raw->step_most, raw->step[0]);
+    aspi_append(r->text, sizeof r->text, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
+                raw->step_least, raw->step_most, raw->step[0]);
   if (raw->second_column > 0)
-    append(r, ", distances in columns %d and %d, heights of column %d", raw->column[0],
-           raw->second_column, raw->column[1]);
+    aspi_append(r->text, sizeof r->text, ", distances in columns %d and %d, heights of column %d",
+                raw->column[0], raw->second_column, raw->column[1]);
   else if (raw->column[0] > 0)
-    append(r, ", of columns %d and %d", raw->column[0], raw->column[1]);
+    aspi_append(r->text, sizeof r->text, ", of columns %d and %d", raw->column[0], raw->column[1]);
   else if (raw->column[1] > 0)
-    append(r, ", of column %d", raw->column[1]);
+    aspi_append(r->text, sizeof r->text, ", of column %d", raw->column[1]);
   if (raw->were_depths)
-    append(r, ", depths turned into heights");
+    aspi_append(r->text, sizeof r->text, ", depths turned into heights");
   if (raw->repeats)
-    append(r, ", %zu repeated positions averaged", raw->repeats);
+    aspi_append(r->text, sizeof r->text, ", %zu repeated positions averaged", raw->repeats);
   if (raw->falls)
-    append(r, ", positions fall and are reversed");
+    aspi_append(r->text, sizeof r->text, ", positions fall and are reversed");
   if (raw->end_line)
-    append(r, ", data end before line %zu", raw->end_line);
+    aspi_append(r->text, sizeof r->text, ", data end before line %zu", raw->end_line);
   if (f->tip > 0)
-    append(r, ", tip %g m", f->tip);
+    aspi_append(r->text, sizeof r->text, ", tip %g m", f->tip);
   if (f->lambda_s > 0)
-    append(r, ", lambda_s %g m", f->lambda_s);
+    aspi_append(r->text, sizeof r->text, ", lambda_s %g m", f->lambda_s);
   if (f->cutoff > 0)
-    append(r, ", cutoff %g m", f->cutoff);
+    aspi_append(r->text, sizeof r->text, ", cutoff %g m", f->cutoff);
   if (options->form >= 0)
-    append(r, ", polynomial of degree %d taken out", options->form);
+    aspi_append(r->text, sizeof r->text, ", polynomial of degree %d taken out", options->form);
   else
-    append(r, ", form left in");
+    aspi_append(r->text, sizeof r->text, ", form left in");
 }
 
 /* Rejects options that apply to profiles only. */

@@ -13,7 +13,7 @@
 
 enum { ASP_PARAMETERS_MAX = 8 };
 
-/* The word of a script that a parameter follows; "" for one that follows the law's name. */
+/* Script word that introduces a parameter; "" if it follows the law's name. */
 static inline const char *aspi_parameter_keyword(const asp_parameter *parameter) {
   return parameter->keyword ? parameter->keyword : "";
 }
@@ -63,7 +63,7 @@ struct asp_rebound_law {
   const char *source;
   bool needs_pair;  /* whether aspi_hit.pair must be given */
   bool needs_table; /* whether aspi_hit.table must be given */
-  bool measured;    /* whether its coefficients were measured, and so hold roughness already */
+  bool measured;    /* its coefficients were measured on a wall: they include its roughness */
   int n_parameters;
   const asp_parameter *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);

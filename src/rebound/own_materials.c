@@ -156,9 +156,8 @@ const asp_material *aspi_materials_find(const aspi_materials *own, const char *n
   char list[2000] = "";
   for (int i = 0; i < asp_material_count() + (own ? own->count : 0); i++) {
     int mine = i - asp_material_count();
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "",
-             mine < 0 ? asp_material_at(i)->name : own->list[mine]->name);
+    aspi_append(list, sizeof list, "%s%s", *list ? " " : "",
+                mine < 0 ? asp_material_at(i)->name : own->list[mine]->name);
   }
   aspi_fail_unknown(error, "material", name, list);
   return NULL;

@@ -37,14 +37,6 @@ bool asp_rebound_needs_pair(const asp_rebound_law *law) {
   return law->needs_pair;
 }
 
-bool asp_rebound_measured(const asp_rebound_law *law) {
-  return law->measured;
-}
-
-const asp_parameter *asp_rebound_parameter(const asp_rebound_law *law, int index) {
-  return index >= 0 && index < law->n_parameters ? &law->parameters[index] : NULL;
-}
-
 asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
                              asp_error *error) {
   int index = aspi_word_index(parameter->words, word, strlen(word), true);
@@ -61,10 +53,8 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, as
   if (!error)
     return -1;
   char list[200] = "", what[100];
-  for (int i = 0; i < law->n_parameters; i++) {
-    size_t used = strlen(list);
-    snprintf(list + used, sizeof list - used, "%s%s", used ? " " : "", law->parameters[i].name);
-  }
+  for (int i = 0; i < law->n_parameters; i++)
+    aspi_append(list, sizeof list, "%s%s", *list ? " " : "", law->parameters[i].name);
   snprintf(what, sizeof what, "of rebound law '%s', parameter", law->name);
   return aspi_fail_unknown(error, what, name, *list ? list : "none");
 }

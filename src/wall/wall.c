@@ -55,7 +55,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 
-static void take_law(asp_wall *wall, const aspi_wall_choice *choice) {
+void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice) {
   wall->law = choice->law;
   memcpy(wall->parameters, choice->parameters, sizeof wall->parameters);
   wall->deposit = choice->deposit;
@@ -63,13 +63,6 @@ static void take_law(asp_wall *wall, const aspi_wall_choice *choice) {
   wall->flow = choice->flow;
   wall->erosion = choice->erosion;
   wall->lever = choice->lever;
-}
-
-asp_code aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {
-  asp_code code = check(choice, error);
-  if (!code)
-    take_law(wall, choice);
-  return code;
 }
 
 static void release(asp_wall *wall) {
@@ -99,39 +92,39 @@ static asp_code copy_parts(asp_wall *wall, const aspi_wall_choice *choice, asp_e
   return ASP_OK;
 }
 
-asp_code aspi_wall_remake(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {
-  asp_wall made = {.spread = choice->spread, .upward = asp_spread_find("visible", NULL)};
+static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {
+  const asp_spread_model *spread = choice->spread;
+  wall->spread = spread;
+  wall->upward = asp_spread_find("visible", NULL);
   asp_code code = check(choice, error);
   if (!code)
-    code = copy_parts(&made, choice, error);
+    code = copy_parts(wall, choice, error);
   if (!code)
-    code = make_data(choice, &made.data, error);
-  if (code) {
-    release(&made);
-    return code;
-  }
-  made.rough = is_rough(choice);
-  made.follow = made.data ? choice->spread->follow : NULL;
-  made.draws_q = made.data && choice->map && choice->spread->prepare_map;
-  made.isotropic = choice->isotropic || made.draws_q;
-  made.multiple = choice->multiple || choice->spread->escape || made.draws_q ||
-                  (choice->spread->follow && !choice->spread->quantile);
-  take_law(&made, choice);
-  release(wall);
-  *wall = made;
-  return ASP_OK;
+    code = make_data(choice, &wall->data, error);
+  wall->rough = is_rough(choice);
+  wall->follow = wall->data ? spread->follow : NULL;
+  wall->draws_q = wall->data && choice->map && spread->prepare_map;
+  wall->isotropic = choice->isotropic || wall->draws_q;
+  wall->multiple =
+      choice->multiple || spread->escape || wall->draws_q || (spread->follow && !spread->quantile);
+  aspi_wall_take_law(wall, choice);
+  return code;
 }
 
 asp_wall *aspi_wall_create(const aspi_wall_choice *choice, asp_error *error) {
   asp_wall *wall = calloc(1, sizeof *wall);
-  if (!wall) {
+  if (!wall)
     aspi_fail(error, ASP_ENOMEM, "out of memory for a wall");
-    return NULL;
-  }
-  if (!aspi_wall_remake(wall, choice, error))
+  if (!wall || !make(wall, choice, error))
     return wall;
-  free(wall);
+  asp_wall_free(wall);
   return NULL;
+}
+
+void aspi_wall_replace(asp_wall *wall, asp_wall *by) {
+  release(wall);
+  *wall = *by;
+  free(by);
 }
 
 const asp_surface *asp_wall_surface(const asp_wall *wall) {
@@ -140,10 +133,6 @@ const asp_surface *asp_wall_surface(const asp_wall *wall) {
 
 const asp_spread_model *asp_wall_spread(const asp_wall *wall) {
   return wall->spread;
-}
-
-const asp_rebound_law *asp_wall_rebound(const asp_wall *wall) {
-  return wall->law;
 }
 
 const asp_pair *asp_wall_pair(const asp_wall *wall) {

@@ -29,6 +29,12 @@ typedef struct aspi_wall_choice {
   double lever; /* sd of the center of mass of grains per axis and diameter; 0: spheres */
 } aspi_wall_choice;
 
+/* Where the wall was measured: what is doubtful about the file, and how the points lie. */
+typedef struct aspi_wall_heights {
+  asp_error doubt;
+  double spacing, length, lambda; /* the widest, the shortest, the longest; spacing 0: no points */
+} aspi_wall_heights;
+
 struct asp_wall {
   asp_surface *surface;  /* a copy; NULL: smooth */
   aspi_cor_table *table; /* alike */
@@ -48,6 +54,7 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever;
+  aspi_wall_heights heights;
 };
 
 /* A smooth wall with `bons` and its defaults, in the plane. */
@@ -59,10 +66,10 @@ void aspi_wall_choose_law(aspi_wall_choice *choice, const asp_rebound_law *law);
 /* Checks a choice and makes its wall; NULL on error. */
 asp_wall *aspi_wall_create(const aspi_wall_choice *choice, asp_error *error);
 
-/* Makes a wall anew, in place; on error it stays as it was. */
-asp_code aspi_wall_remake(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error);
+/* Puts another wall, which it frees, in its place. */
+void aspi_wall_replace(asp_wall *wall, asp_wall *by);
 
 /* Replaces the law, deposit and erosion settings; keeps the surface and its tables. */
-asp_code aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error);
+void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice);
 
 #endif

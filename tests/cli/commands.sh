@@ -110,7 +110,6 @@ refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 
 refuses 2 "min < median < max" "from:to:step" -- cor --dp lognormal:1um:10um:100um
 refuses 2 "a list is a,b,c or from:to:step" -- cor --dp 1um:5um
 refuses 2 "0 to 90" -- cor --angles 5:95:5
-refuses 2 "'x.npy'" ".csv" -- cor -o x.npy
 refuses 2 "--title is given without --plot" -- cor --title A
 refuses 2 "--angles" "more than 0" -- cor --angles 0
 refuses 2 "no density" -- spread --pdf

@@ -54,7 +54,7 @@ printf 'sphere 1 2 3\n' > other.stl;                       bad_stl other.stl "li
 bad_stl not.stl "triangle 1" "finite"
 
 units=lj edit='/^include/d' refuses "$plane" "" "units are 'lj'" "si, cgs, micro or nano" "rebound constant"
-units=lj refuses "$plane" "" "materials are in SI units" "'units lj'" "si, cgs, micro or nano"
+units=lj refuses "$plane" "" "'materials' is in SI units" "'units lj'" "si, cgs, micro or nano"
 units=real refuses "$plane rebound constant 1 1" "" "units are 'real'" "si, cgs, micro or nano"
 edit='/^set group/d; /^fix move/d; s/atom_style granular/atom_style  ellipsoid/' refuses "$plane" "" "atom style is 'ellipsoid'" "atom_style sphere"
 edit='s/^region box.*/region box prism -0.002 0.002 -0.002 0.002 -0.001 0.002 0.001 0 0 units box/; s/boundary.*/boundary p p f/' \

@@ -159,7 +159,7 @@ static const asp_rebound_law *add_law(char *text) {
   const char *last = "";
   bool on = true;
   for (int i = 0; i < law->n_parameters; i++) {
-    const asp_parameter *p = asp_rebound_parameter(law, i);
+    const asp_parameter *p = &law->parameters[i];
     const char *keyword = aspi_parameter_keyword(p);
     if (strcmp(keyword, last) != 0) {
       on = strcmp(keyword, "soften") != 0 || strcmp(last, "temperature") != 0 ? whole(2) : on;
@@ -338,20 +338,19 @@ static void bad_values_are_named(void **state) {
   refuses("surface profile FILE lay axial", "'lay' needs two", "a map");
   refuses("surface rq 1 lambda_c 10 20", "'lay' and its direction", "");
   refuses("surface rq 1 lambda_c 10 20 lay 0 0 0", "lay is 0 0 0", "> 0");
-  refuses("surface rq 1 lambda_c 10 20 lay 1 2 up", "third number of the lay", "'up'");
+  refuses("surface rq 1 lambda_c 10 20 lay 1 2 up", "lay is 'up'", "number");
   refuses("surface rq 1 lambda_c 10 20 lay diagonal", "lay is 'diagonal'", "axial");
   refuses("surface rq 1 lambda_c 10 20 lay 500", "lay is 500", "-180 to 180");
   refuses("surface profile -", "'-'", "name of a file");
   refuses("rebound table -", "'-'", "name of a file");
   refuses("surface profile f dp_bins 0", "dp_bins is 0", "1 to 256");
-  refuses("surface rq 1 lambda_c 10 spread weibull collisions many", "'many'",
-          "single or multiple");
+  refuses("surface rq 1 lambda_c 10 spread weibull collisions many", "'many'", "single | multiple");
   refuses("rebound constant 1.5 1", "cor_n is 1.5", "0 to 1");
   refuses("rebound constant 1", "cor_t", "missing");
-  refuses("rebound bons contact_area 1 1", "c is missing", "");
+  refuses("rebound bons contact_area 1 1", "the value of 'c' is missing", "");
   refuses("rebound bons contact_area 1 1 11", "c is 11", "0 to 10");
   refuses("rebound bons scatter 1", "'scatter' is unknown", "yield_rate");
-  refuses("grain cube", "grain is 'cube'", "sphere or lever S");
+  refuses("grain cube", "grain is 'cube'", "sphere | lever S");
   refuses("grain lever 0", "lever is 0", "0 to 0.5");
   refuses("rebound walton 0.9 0.2 0.4 grain lever 0.03", "BETA0 0", "");
   refuses("rebound bons spin fast", "spin is 'fast'", "off on");
@@ -361,7 +360,7 @@ static void bad_values_are_named(void **state) {
   refuses("friction -1", "friction is -1", ">= 0");
   refuses("surface_energy nan", "surface_energy is", ">= 0");
   refuses("yield_stress 200bar", "'200bar'", "Pa kPa MPa GPa");
-  refuses("deposit stick", "'stick'", "freeze, delete or off");
+  refuses("deposit stick", "'stick'", "freeze | delete | off");
   refuses("deposit freeze remove u_tau 1", "gas_density", "expected");
   refuses("seed 1.5", "seed is 1.5", "whole number from 0 to 4294967295");
   refuses("surface smooth surface smooth", "'surface'", "twice");
@@ -577,7 +576,7 @@ static asp_description *parse_fit(const char *text, asp_error *error) {
   asp_code code = ASP_OK;
   for (int next = 0; next < count && !code; next += taken)
     code = asp_description_read(wall, count - next, words + next, "", &taken, error);
-  if (!code && !asp_description_complete(wall, error))
+  if (!code && !asp_description_check(wall, error))
     return wall;
   asp_description_free(wall);
   return NULL;
@@ -639,9 +638,11 @@ static void unknown_numbers_are_set(void **state) {
   assert_int_equal(wall->n_fits, 2);
   assert_int_equal(asp_description_set(wall, "sigma", 12, &error), ASP_OK);
   assert_int_equal(asp_description_set(wall, "e", 0.75, &error), ASP_OK);
-  assert_int_equal(asp_description_complete(wall, &error), ASP_OK);
+  assert_int_equal(asp_description_check(wall, &error), ASP_OK);
   assert_int_equal(wall->n_fits, 0);
-  assert_near(asp_surface_slope(wall->surface, 1e-5), tan(12 * ASP_PI / 180), 1e-9);
+  asp_wall *made = asp_wall_create(wall, 0, 0, &error);
+  assert_near(asp_surface_slope(asp_wall_surface(made), 1e-5), tan(12 * ASP_PI / 180), 1e-9);
+  asp_wall_free(made);
   asp_description_text(wall, is, sizeof is);
   assert_string_equal(is, "surface sigma 12 spread visible isotropic collisions multiple rebound "
                           "walton 0.75 0.1 0 deposit freeze seed 7");
@@ -666,6 +667,8 @@ static void coarse_files_are_doubted(void **state) {
   assert_string_equal(text, "");
   ask(text, &(asp_question){d, wall, 5e-6, &largest, {NULL, NULL}});
   assert_ptr_equal(strstr(text, "surface profile fine.csv: "), text);
+  ask(text, &(asp_question){d, NULL, 5e-6, &largest, {NULL, NULL}}); /* it is the wall's */
+  assert_string_equal(text, "");
   asp_wall_free(wall);
   asp_description_free(d);
   asp_profile_free(profile);

@@ -157,7 +157,7 @@ static void words_are_checked(void **state) {
       {"erosion finnie 1GPa share 1.5 density 7800" WALTON, "share is 1.5; it must be 0 to 1"},
       {"erosion oka 1GPa a_b 2 density 7800" WALTON, "b is 'density'"},
       {"erosion oka 1GPa wall brass density 7800" WALTON, "aluminum"},
-      {"erosion dnv density 7800 face steep" WALTON, "mean or tilted"}};
+      {"erosion dnv density 7800 face steep" WALTON, "mean | tilted"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     asp_error error = {ASP_OK, ""};
     assert_null(asp_description_parse(bad[i][0], NULL, &error));

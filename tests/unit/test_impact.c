@@ -14,7 +14,8 @@ typedef struct setup {
 
 /* Makes the wall of the choice as it is now. */
 static void remake(setup *s) {
-  assert_int_equal(aspi_wall_remake(s->wall, &s->choice, NULL), ASP_OK);
+  asp_wall_free(s->wall);
+  s->wall = wall_of(&s->choice);
 }
 
 static setup setup_create(const char *spread, const char *law, double slope) {
@@ -262,28 +263,6 @@ static void kinks_turn_by_both_sides(void **state) {
   setup_free(&s);
 }
 
-/* Where a wall cannot be made anew it stays as it was. */
-static void a_wall_outlives_a_bad_choice(void **state) {
-  (void)state;
-  asp_error error;
-  setup s = setup_create("none", "constant", 0.2);
-  const double v1[3] = {1, 0, -1};
-  asp_impact impact;
-  assert_true(set_parameter(&s.choice, "cor_n", 0.5));
-  remake(&s);
-  s.choice.spread = asp_spread_find("profile", NULL);
-  s.choice.sizes.least = 1;
-  assert_int_equal(aspi_wall_remake(s.wall, &s.choice, &error), ASP_EARG); /* over the most */
-  assert_non_null(strstr(error.text, "d_p"));
-  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
-  assert_near(impact.v2[2], 0.5, 1e-15);
-  s.choice.sizes.least = 0.01;
-  remake(&s);
-  asp_wall_impact(s.wall, &grain, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
-  assert_true(fabs(impact.delta_alpha) > 0);
-  setup_free(&s);
-}
-
 /* A particle without a pair gets that of the wall; many impacts are as many single ones. */
 static void many_impacts_are_single_ones(void **state) {
   (void)state;
@@ -443,7 +422,6 @@ int main(void) {
       cmocka_unit_test(grazing_to_the_last_bit),
       cmocka_unit_test(faces_are_hit_or_not),
       cmocka_unit_test(kinks_turn_by_both_sides),
-      cmocka_unit_test(a_wall_outlives_a_bad_choice),
       cmocka_unit_test(many_impacts_are_single_ones),
       cmocka_unit_test(a_pair_is_needed),
       cmocka_unit_test(properties),

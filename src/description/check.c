@@ -1,4 +1,4 @@
-/* Checks the clauses of a description together, and makes the surface of its numbers or its map.
+/* Checks the clauses of a description together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -13,14 +13,12 @@
 /* Correlation length of a wall by its sigma alone, in meters: larger than all particles. */
 #define SIGMA_LAMBDA 1e6
 
-/* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */
-#define STRETCH_MOST 1.5
-
 bool asp_description_needs_sizes(const asp_description *d) {
   if (d->kind == ASPI_SMOOTH)
     return false;
-  return d->kind == ASPI_PROFILE || d->choice.spread->generate ||
-         (d->kind == ASPI_MAP && d->choice.spread->prepare_map);
+  const asp_spread_model *spread = aspi_description_spread(d);
+  return d->kind == ASPI_PROFILE || spread->generate ||
+         (d->kind == ASPI_MAP && spread->prepare_map);
 }
 
 /* ---- what has no effect ---- */
@@ -68,7 +66,7 @@ static bool is_smooth(const asp_description *d, against *with) {
 }
 
 static bool has_no_bins(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "spread %s", d->choice.spread->name);
+  snprintf(with->text, sizeof with->text, "spread %s", aspi_description_spread(d)->name);
   return !asp_description_needs_sizes(d);
 }
 
@@ -103,71 +101,6 @@ static asp_code check_erosion(const asp_description *d, asp_error *error) {
   return aspi_fail(error, ASP_EARG,
                    "erosion needs the density of the wall: by 'materials', or 'density RHO' in its "
                    "own words");
-}
-
-/* ---- surface ---- */
-
-static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) {
-  double meter = d->units.meter > 0 ? d->units.meter : 1, lambda = SIGMA_LAMBDA * meter;
-  double slope = tan(aspi_radians(d->sigma));
-  asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, error);
-  if (made)
-    aspi_surface_set_feature(made, d->lambda_c > 0 ? d->lambda_c : 0);
-  return made;
-}
-
-static asp_surface *make_from_lengths(const asp_description *d, asp_error *error) {
-  return d->lay != ASP_LAY_NONE
-             ? asp_surface_create_lay(d->r_q, d->lambda_c, d->lambda_along, error)
-             : asp_surface_create(d->r_q, d->lambda_c, error);
-}
-
-static asp_code check_lay(const asp_description *d, asp_error *error) {
-  const double across = d->measured.lambda_1, along = d->measured.lambda_2;
-  if (d->lay != ASP_LAY_NONE || !(along > STRETCH_MOST * across))
-    return ASP_OK;
-  return aspi_fail(error, ASP_EARG,
-                   "surface map %s: the wall has a lay, lambda_c %.4g across and %.4g along it; "
-                   "say which way it lies: 'lay X Y Z', axial, circumferential, or an angle",
-                   d->file, across, along);
-}
-
-/* What may be wrong where lambda_c is too short. */
-static const char *slip_of_lengths(const asp_description *d) {
-  if (!(d->r_q > d->lambda_c))
-    return "";
-  if (aspi_is_given(d, "rdq") || aspi_is_given(d, "sdq"))
-    return "; is the slope an angle? then it needs its unit, as in '10deg'";
-  return aspi_is_given(d, "rsm") || aspi_is_given(d, "sal")
-             ? "; are the height and the length swapped?"
-             : "; are rq and lambda_c swapped?";
-}
-
-static asp_code make_surface(asp_description *d, asp_error *error) {
-  asp_error wrong = {ASP_OK, ""};
-  bool is_map = d->kind == ASPI_MAP;
-  if (d->surface || d->kind == ASPI_SMOOTH || d->kind == ASPI_PROFILE || (is_map && !d->choice.map))
-    return ASP_OK;
-  if (is_map && !asp_map_describe(d->choice.map, &d->measured, &wrong)) {
-    if (check_lay(d, error))
-      return ASP_EARG;
-    d->surface =
-        aspi_surface_create_map(d->choice.map, &d->measured, d->lay != ASP_LAY_NONE, &wrong);
-  } else if (!is_map)
-    d->surface = d->kind == ASPI_SIGMA ? make_from_sigma(d, &wrong) : make_from_lengths(d, &wrong);
-  if (d->surface)
-    return ASP_OK;
-  return is_map ? aspi_fail(error, wrong.code, "surface map %s: %s", d->file, wrong.text)
-                : aspi_fail(error, wrong.code, "surface: %s%s", wrong.text, slip_of_lengths(d));
-}
-
-/* ---- all together ---- */
-
-/* The model where none is given. */
-static const char *standard_model(const asp_description *d) {
-  return d->kind == ASPI_SMOOTH                           ? "none"
-         : d->kind == ASPI_PROFILE || d->kind == ASPI_MAP ? "profile"
-                                                          : "visible";
 }
 
 asp_code asp_description_check_bodies(const asp_description *d, asp_error *error) {
@@ -207,43 +140,51 @@ double asp_description_softening(const asp_description *d) {
   return law->softening ? law->softening(d->choice.parameters) : 1;
 }
 
-asp_code asp_description_complete(asp_description *d, asp_error *error) {
+/* ---- the surface of numbers ---- */
+
+/* What may be wrong where lambda_c is too short. */
+static const char *slip_of_lengths(const asp_description *d) {
+  if (!(d->r_q > d->lambda_c))
+    return "";
+  if (aspi_given_of(d, "rdq sdq", 0))
+    return "; is the slope an angle? then it needs its unit, as in '10deg'";
+  return aspi_given_of(d, "rsm sal", 0) ? "; are the height and the length swapped?"
+                                        : "; are rq and lambda_c swapped?";
+}
+
+static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) {
+  double meter = d->units.meter > 0 ? d->units.meter : 1, lambda = SIGMA_LAMBDA * meter;
+  double slope = tan(aspi_radians(d->sigma));
+  asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, error);
+  if (made)
+    aspi_surface_set_feature(made, d->lambda_c > 0 ? d->lambda_c : 0);
+  return made;
+}
+
+asp_surface *aspi_description_surface(const asp_description *d, asp_error *error) {
+  asp_error wrong = {ASP_OK, ""};
+  asp_surface *made = d->kind == ASPI_SIGMA ? make_from_sigma(d, &wrong)
+                      : d->lay != ASP_LAY_NONE
+                          ? asp_surface_create_lay(d->r_q, d->lambda_c, d->lambda_along, &wrong)
+                          : asp_surface_create(d->r_q, d->lambda_c, &wrong);
+  if (!made)
+    aspi_fail(error, wrong.code, "surface: %s%s", wrong.text, slip_of_lengths(d));
+  return made;
+}
+
+/* ---- all together ---- */
+
+asp_code asp_description_check(const asp_description *d, asp_error *error) {
   if (d->broken.code)
     return aspi_fail(error, d->broken.code, "%s", d->broken.text);
-  d->choice.spread = d->spread ? d->spread : asp_spread_find(standard_model(d), NULL);
+  asp_error wrong = {ASP_OK, ""};
   asp_code code = check_effects(d, error);
   if (!code)
     code = check_erosion(d, error);
   if (!code && d->choice.lever > 0)
     code = asp_description_check_bodies(d, error);
-  if (!code)
-    code = make_surface(d, error);
-  d->choice.surface = d->surface;
-  return code;
-}
-
-/* Takes heights of the caller's, of a description whose surface is of that kind. */
-static asp_code check_kind(const asp_description *d, bool is_kind, const char *kind,
-                           asp_error *error) {
-  return is_kind ? ASP_OK
-                 : aspi_fail(error, ASP_EARG, "surface is '%s'; for a %s it must be '%s FILE'",
-                             asp_description_word(d, "surface"), kind, kind);
-}
-
-asp_code asp_description_set_profile(asp_description *d, const asp_profile *profile,
-                                     asp_error *error) {
-  asp_code code = check_kind(d, d->kind == ASPI_PROFILE, "profile", error);
-  if (!code)
-    d->choice.profile = profile;
-  return code;
-}
-
-asp_code asp_description_set_map(asp_description *d, const asp_map *map, asp_error *error) {
-  asp_code code = check_kind(d, d->kind == ASPI_MAP, "map", error);
-  if (code)
+  if (code || (d->kind != ASPI_SIGMA && d->kind != ASPI_GAUSSIAN))
     return code;
-  asp_surface_free(d->surface);
-  d->choice.surface = d->surface = NULL;
-  d->choice.map = map;
-  return asp_description_complete(d, error);
+  asp_surface_free(aspi_description_surface(d, &wrong));
+  return wrong.code ? aspi_fail(error, wrong.code, "%s", wrong.text) : ASP_OK;
 }
