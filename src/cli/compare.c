@@ -11,9 +11,9 @@
 
 static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"};
 
-/* Width of bins in degrees, for impacts that were not measured again and again at some places; and
- * how far impacts of the model may be from a place where none has it: degrees, and shares of speed
- * and of size. */
+/* Width of bins in degrees, for impacts that were not measured repeatedly at the same places. The
+ * tolerances for matching model impacts to a measurement: degrees, relative speed, relative size.
+ */
 #define WIDTH "10"
 #define FAR "2,0.1,0.1"
 

@@ -1,6 +1,6 @@
-/* The fix of a wall, as far as it is the same in engines whose classes have members of the same
- * names. Program is the engine's class that has all others, Fix the base class of its fixes. What
- * an engine has of its own is in its room.
+/* Code shared by the LIGGGHTS and LAMMPS fixes, as templates over the engine's classes: Program is
+ * the class that has all others, Fix the base class of its fixes. The rest is in each engine's
+ * room.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_WALL_FIX_H
@@ -125,7 +125,7 @@ public:
       bodies()->list(steppers(), begins);
   }
 
-  /* An Error is one of all ranks; anything else may be of this one, for which the others wait. */
+  /* An Error is thrown on all ranks; any other exception may be local, so abort. */
   template <class Action> void attempt(Action action) const {
     try {
       action();

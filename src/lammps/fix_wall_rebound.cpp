@@ -393,7 +393,7 @@ int FixWallRebound::unpack_exchange(int i, double *buffer) {
   return Wall::N_STATE + p_->wall.stepper.rows.unpack(i, buffer + Wall::N_STATE);
 }
 
-/* The first number is the count, including itself. */
+/* LAMMPS restart format: the length first, which counts itself. */
 int FixWallRebound::pack_restart(int i, double *buffer) {
   const int count = 1 + pack_exchange(i, buffer + 1);
   buffer[0] = count;

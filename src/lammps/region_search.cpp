@@ -190,8 +190,7 @@ bool RegionShape::Search::is_too_far(const Look &l, const Foot *foot) const {
   return foot && foot->distance - radius < -tolerance;
 }
 
-/* True if a sphere that was at a face of a moving part is in it no deeper than one that is taken
- * along may be: the next step puts it right. */
+/* True if the overlap is within what riding on a moving part causes: the next step mends it. */
 bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
   bool was_there = false;
   for (const Foot &other : begin.feet)

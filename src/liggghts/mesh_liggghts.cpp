@@ -172,8 +172,8 @@ static Frame frame_of(const double a[3], const double b[3], const double c[3]) {
   return frame;
 }
 
-/* LIGGGHTS wraps each triangle for itself at a periodic edge. Of each node the image counts to
- * which the mesh's own motion has brought it. */
+/* LIGGGHTS wraps each triangle for itself at a periodic edge. Choose the periodic image of each
+ * node that is closest to where the motion puts it. */
 void MeshOfLiggghts::unwrap(double x[3][3], const double v[3][3], double dt) const {
   const Twist last = motion().moves() ? motion().last() : Twist();
   for (int k = 0; k < 3; k++) {

@@ -150,9 +150,8 @@ void MeshShape::local_path(const Path &path, const Shift &shift, ContactPath &lo
   aspi_scale(1 / path.left, local.v);
 }
 
-/* All triangles that meet a box within `reach` of its middle, and some that only come near it:
- * those of a region that is wider by a margin are kept, since a particle that has met one is looked
- * at again from there. */
+/* All triangles that meet a box within `reach` of its middle, and some that only come near it: the
+ * list of a slightly larger region is kept, because a particle is searched again nearby. */
 const ContactList &MeshShape::meet(const Bounds &box, double reach, double margin) const {
   if (found_.has(box, reach))
     return found_.list;

@@ -79,7 +79,7 @@ private:
   struct Shift {
     double by[3];
   };
-  /* Places in the tree of the triangle that a contact counts for, and of that with its normal. */
+  /* Tree indices: the triangle that gets the load, and the one that gives the normal. */
   struct Places {
     int piece, face;
   };

@@ -112,8 +112,8 @@ bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {
   return nearest <= square && square <= farthest;
 }
 
-/* Velocity of the wall under x, for a wall that turns: that of a point which turns with it at x
- * itself, so that particles of all sizes are carried at one angular speed. */
+/* Wall velocity at the particle's center, so that a wall that turns carries all sizes at one
+ * angular speed. */
 void CylinderShape::velocity(const double x[3], double v[3]) const {
   double axis[3] = {0, 0, 0}, arm[3];
   axis[cylinder_.axis] = 1;

@@ -31,8 +31,8 @@ public:
   /* Discards all predictions. */
   void clear();
 
-  /* Discards those of particles that are new at their places, or in general of all that may have
-   * crossed a periodic edge. */
+  /* Discards predictions of atoms that changed index, and all of them if a wall does not repeat
+   * periodically. */
   void reorder(const Spheres &spheres);
 
   /* Lists the particles that may touch this wall in this step. */

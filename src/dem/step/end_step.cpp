@@ -259,13 +259,12 @@ static bool changes_along(const double n[3], const double change[3]) {
   return fabs(aspi_dot(change, n)) > ACROSS * aspi_length(change);
 }
 
-/* A force that changes within a step, as that of another particle, does its work before and after a
- * rebound on two legs of the path. What it is at the end of the step is not known yet; so the
- * energy of the normal motion is noted as a linear function of it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2
- * W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and W_2 the works by the trapezoidal
- * rule before and after the contact, for the acceleration linear in time, and e = v_n2/v_n1, not
- * above 1; 0 for a particle that was staying at the wall. Of a wall with one contact only, where
- * the contacts with others leave the normal motion alone. */
+/* Forces that change within a step do work before and after the rebound. Their value at the end of
+ * the step is not known yet, so the energy of the normal motion is noted as a linear function of
+ * it: v_n^2 = v_n2^2 + e^2 (v_n0^2 + 2 W_1 - v_n1^2) + 2 W_2 = SQUARE + WORK a_n(end), with W_1 and
+ * W_2 the works by the trapezoidal rule before and after the contact, for the acceleration linear
+ * in time, and e = v_n2/v_n1, not above 1; 0 for a particle that was staying at the wall. Of a wall
+ * with one contact only, where the contacts with others leave the normal motion alone. */
 void asperity::note_energy(const Flight &flight, const double x[3]) {
   const Mover &mover = flight.mover;
   if (!mover.is_ball || !(aspi_dot(flight.a0, flight.a0) > 0))

@@ -71,7 +71,7 @@ struct Flight {
 
   std::vector<Event> events; /* the impacts of the step */
 
-  /* The sustained contacts of one place, and what the mover had before them. */
+  /* Contacts being solved together, and velocity and spin before them. */
   std::vector<Sustained> sustained;
   std::vector<Support> supports, along;
   double free_half[3], free_spin[3];

@@ -40,7 +40,7 @@ public:
     return of ? of->rests : NO_RESTS;
   }
   bool rests_at(int64_t sphere, size_t shape, int face) const;
-  /* Of more faces than there is room for, those are kept that press. */
+  /* Keeps the faces that press if there are more than it has room for. */
   void rest_at(int64_t sphere, size_t shape, int face) const;
   void drop_rest(size_t k) const;
 

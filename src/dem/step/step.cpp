@@ -168,7 +168,7 @@ static bool find_next(const Walls &walls, Flight &flight, std::vector<Touch> &to
   return false;
 }
 
-/* From here on all walls are searched; what was known of the way ahead holds no more. */
+/* From here on all walls are searched; predictions are void. */
 static void search_all(const Walls &walls, Flight &flight) {
   if (flight.searches_all)
     return;

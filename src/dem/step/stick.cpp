@@ -138,7 +138,7 @@ static inline uint64_t change(const double a[3], const double b[3]) {
   return (bits(a) ^ bits(b)) | (bits(a + 1) ^ bits(b + 1)) | (bits(a + 2) ^ bits(b + 2));
 }
 
-/* True if a particle without spin comes again as its wall stopped it before. */
+/* True if velocity and mass equal those of the last step: the load can be reused. */
 static inline bool comes_again(const StuckOne &at, const Spheres &s) {
   const size_t row = 3 * static_cast<size_t>(at.i);
   const uint64_t spin = s.omega ? change(s.omega + row, NONE) : 0;
