@@ -23,14 +23,10 @@
 
 /* ---- what is looked for ---- */
 
-/* The value of a number that the description does not give; NAN: there is none. Of sigma, in
- * degrees, one that most walls are near. */
-static double standard_of(const aspi_calibration *c, const aspi_unknown *u) {
-  if (u->kind == OF_SURFACE)
-    return strcmp(u->name, "sigma") == 0 ? 5 : NAN;
-  asp_pair *pair =
-      u->kind == OF_PAIR && c->particle ? asp_pair_create(c->particle, c->target, NULL) : NULL;
-  double value = pair ? asp_pair_get(pair, u->name) : NAN;
+/* The value of the materials; NAN: there is none. */
+static double standard_of(const aspi_calibration *c, const char *name) {
+  asp_pair *pair = c->particle ? asp_pair_create(c->particle, c->target, NULL) : NULL;
+  double value = pair ? asp_pair_get(pair, name) : NAN;
   asp_pair_free(pair);
   return value;
 }
@@ -50,7 +46,7 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
                     .least = p ? p->least : k->least,
                     .most = p ? p->most : k->most};
   u.bounded = p && u.most - u.least <= 10;
-  u.standard = p ? p->fallback : standard_of(c, &u);
+  u.standard = p ? p->fallback : *k->within ? k->fallback : standard_of(c, name);
   char units[120];
   aspi_quantity_units(p ? p->unit : k->unit, units, sizeof units);
   snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);

@@ -90,40 +90,35 @@ aspi_steps aspi_steps_find(const aspi_raw *raw) {
 }
 
 void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_t size) {
-  size_t used = 0;
   *text = '\0';
   if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
-    used += (size_t)snprintf(text, size,
-                             "%zu of %zu points lie over %g robust standard deviations off their "
-                             "neighbors, as dust does; take them out (reader: spikes 12, fill 1)",
-                             outliers, s->points, ASP_SPIKES_CLEAR);
-  if (s->levels > 0 && used < size)
-    used += (size_t)snprintf(text + used, size - used,
-                             "%sits heights are quantized, %zu levels of %.3g um: slopes at their "
-                             "steps pass for roughness; measure with a finer range",
-                             used ? "; " : "", s->levels, s->quantum * 1e6);
-  for (int end = 0; end < 2 && used < size; end++)
+    aspi_append(text, size,
+                "%zu of %zu points lie over %g robust standard deviations off their neighbors, as "
+                "dust does; take them out (reader: spikes 12, fill 1)",
+                outliers, s->points, ASP_SPIKES_CLEAR);
+  if (s->levels > 0)
+    aspi_append(text, size,
+                "%sits heights are quantized, %zu levels of %.3g um: slopes at their steps pass "
+                "for roughness; measure with a finer range",
+                *text ? "; " : "", s->levels, s->quantum * 1e6);
+  for (int end = 0; end < 2; end++)
     if (s->cut[end] > 0)
-      used += (size_t)snprintf(
-          text + used, size - used, "%sits heights are clipped: %zu of %zu points have the %s one",
-          used ? "; " : "", s->cut[end], s->points, end ? "highest" : "lowest");
+      aspi_append(text, size, "%sits heights are clipped: %zu of %zu points have the %s one",
+                  *text ? "; " : "", s->cut[end], s->points, end ? "highest" : "lowest");
 }
 
 asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
                              asp_error *error) {
-  char few[200] = "", brief[240] = "";
+  char doubt[440] = "";
   if (d_p < POINTS_PER_PARTICLE * spacing)
-    snprintf(
-        few, sizeof few,
-        "a particle of d_p %g covers %.2g points of the measured wall; under %g the noise and the "
-        "rounding of heights pass for roughness",
-        d_p, d_p / spacing, POINTS_PER_PARTICLE);
+    aspi_append(doubt, sizeof doubt,
+                "a particle of d_p %g covers %.2g points of the measured wall; under %g the noise "
+                "and the rounding of heights pass for roughness",
+                d_p, d_p / spacing, POINTS_PER_PARTICLE);
   if (!(length >= LENGTH_LEAST * lambda))
-    snprintf(brief, sizeof brief,
-             "the measured wall is only %.3g correlation lengths long; under %g its numbers carry "
-             "a large sampling error; if it is bowed, take the bow out (reader: form 2)",
-             length / lambda, LENGTH_LEAST);
-  if (!*few && !*brief)
-    return ASP_OK;
-  return aspi_fail(error, ASP_ERANGE, "%s%s%s", few, *few && *brief ? "; " : "", brief);
+    aspi_append(doubt, sizeof doubt,
+                "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
+                "carry a large sampling error; if it is bowed, take the bow out (reader: form 2)",
+                *doubt ? "; " : "", length / lambda, LENGTH_LEAST);
+  return *doubt ? aspi_fail(error, ASP_ERANGE, "%s", doubt) : ASP_OK;
 }
