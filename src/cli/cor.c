@@ -73,23 +73,12 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) 
 }
 
 static void print_row(FILE *out, const row *r) {
-  const double before[] = {r->d_p * 1e6, r->of.cor.v1, r->alpha1,
-                           aspi_degrees(r->of.impact.delta_alpha)};
-  const double middle[] = {r->of.cor.cor_v, r->of.cor.cor_alpha, r->of.cor.cor_n, r->of.cor.cor_t};
-  for (int i = 0; i < 4; i++) {
-    cli_print_number(out, before[i], 6);
-    fputc(',', out);
-  }
-  fprintf(out, "%d", r->of.impact.hits);
-  for (int i = 0; i < 4; i++) {
-    fputc(',', out);
-    cli_print_number(out, middle[i], 6);
-  }
-  fputs(r->of.impact.outcome == ASP_DEPOSIT ? ",deposit," : ",rebound,", out);
-  cli_print_number(out, r->of.cor.cor_v_space, 6);
-  fputc(',', out);
-  cli_print_number(out, r->of.cor.cor_alpha_space, 6);
-  fputc('\n', out);
+  const asp_impact *i = &r->of.impact;
+  const asp_coefficients *c = &r->of.cor;
+  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g\n", r->d_p * 1e6, c->v1,
+          r->alpha1, aspi_degrees(i->delta_alpha), i->hits, c->cor_v, c->cor_alpha, c->cor_n,
+          c->cor_t, i->outcome == ASP_DEPOSIT ? "deposit" : "rebound", c->cor_v_space,
+          c->cor_alpha_space);
 }
 
 #define PRINT_NAME(ID, name, type, text) fputs(LEDGER_##ID ? "," name : name, out);

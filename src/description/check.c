@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Correlation length of a wall by its sigma alone, in meters: larger than all particles. */
 #define SIGMA_LAMBDA 1e6
@@ -23,74 +22,35 @@ bool asp_description_needs_sizes(const asp_description *d) {
 
 /* ---- what has no effect ---- */
 
-typedef struct against {
-  char text[120];
-} against;
-
-static bool without_pair(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "rebound %s, which takes no materials",
-           d->choice.law->name);
-  return !d->choice.law->needs_pair;
-}
-
-static bool deposits_off(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "deposit off");
-  return d->deposit == ASPI_DEPOSIT_OFF;
-}
-
-static bool keeps_no_deposits(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "deposit %s", asp_description_word(d, "deposit"));
-  return d->deposit != ASPI_FREEZE;
-}
-
-static bool yields_by_rate(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "yield_rate");
-  return asp_description_get(d, "yield_rate") > 0;
-}
-
-static bool is_not_hot(const asp_description *d, against *with) {
-  double from = asp_description_get(d, "soften_from");
-  snprintf(with->text, sizeof with->text, "soften: the yield stress falls above %g K only", from);
-  return !aspi_is_fit(d, "temperature") && !aspi_is_fit(d, "soften_from") &&
-         !(asp_description_get(d, "temperature") > from);
-}
-
-static bool has_own_friction(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "rebound %s, whose MU is one", d->choice.law->name);
-  return asp_description_get(d, "mu") >= 0;
-}
-
-static bool is_smooth(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "surface smooth");
-  return d->kind == ASPI_SMOOTH;
-}
-
-static bool has_no_bins(const asp_description *d, against *with) {
-  snprintf(with->text, sizeof with->text, "spread %s", aspi_description_spread(d)->name);
-  return !asp_description_needs_sizes(d);
-}
-
-static const struct {
-  const char *name;
-  bool (*idle)(const asp_description *d, against *with);
-} rules[] = {{"spread", is_smooth},
-             {"dp_bins", has_no_bins},
-             {"materials", without_pair},
-             {"friction", has_own_friction},
-             {"surface_energy", without_pair},
-             {"surface_energy", deposits_off},
-             {"temperature", is_not_hot},
-             {"yield_stress", without_pair},
-             {"yield_stress", yields_by_rate},
-             {"remove", keeps_no_deposits},
-             {"remove", without_pair}};
-
 /* Refuses the first given word without an effect. */
 static asp_code check_effects(const asp_description *d, asp_error *error) {
-  against with;
+  static const char no_pair[] = ", which takes no materials";
+  const asp_rebound_law *law = d->choice.law;
+  const double from = asp_description_get(d, "soften_from");
+  const bool is_hot = aspi_is_fit(d, "temperature") || aspi_is_fit(d, "soften_from") ||
+                      asp_description_get(d, "temperature") > from;
+  char degrees[40];
+  snprintf(degrees, sizeof degrees, "%g K only", from);
+  const struct {
+    const char *name;
+    bool idle;
+    const char *with, *which, *why;
+  } rules[] = {
+      {"spread", d->kind == ASPI_SMOOTH, "surface smooth", "", ""},
+      {"dp_bins", !asp_description_needs_sizes(d), "spread ", aspi_description_spread(d)->name, ""},
+      {"materials", !law->needs_pair, "rebound ", law->name, no_pair},
+      {"friction", asp_description_get(d, "mu") >= 0, "rebound ", law->name, ", whose MU is one"},
+      {"surface_energy", !law->needs_pair, "rebound ", law->name, no_pair},
+      {"surface_energy", d->deposit == ASPI_DEPOSIT_OFF, "deposit off", "", ""},
+      {"temperature", !is_hot, "soften: the yield stress falls above ", degrees, ""},
+      {"yield_stress", !law->needs_pair, "rebound ", law->name, no_pair},
+      {"yield_stress", asp_description_get(d, "yield_rate") > 0, "yield_rate", "", ""},
+      {"remove", d->deposit != ASPI_FREEZE, "deposit ", asp_description_word(d, "deposit"), ""},
+      {"remove", !law->needs_pair, "rebound ", law->name, no_pair}};
   for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
-    if (aspi_is_given(d, rules[i].name) && rules[i].idle(d, &with))
-      return aspi_fail(error, ASP_EARG, "'%s' has no effect with %s", rules[i].name, with.text);
+    if (rules[i].idle && aspi_is_given(d, rules[i].name))
+      return aspi_fail(error, ASP_EARG, "'%s' has no effect with %s%s%s", rules[i].name,
+                       rules[i].with, rules[i].which, rules[i].why);
   return ASP_OK;
 }
 

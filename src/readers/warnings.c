@@ -8,8 +8,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
-#include <string.h>
 
 /* Heights have steps where they take no more values than this, each of them many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
@@ -26,23 +24,14 @@ enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 #define POINTS_PER_PARTICLE 10.0
 #define LENGTH_LEAST 20.0
 
-/* Puts a height among those that are sorted; false where there are too many. */
+/* Adds a height to those that are known already; false where there are too many. */
 static bool add_level(double *level, size_t *count, double z) {
-  size_t low = 0, high = *count;
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (level[middle] < z)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  if (low < *count && !(level[low] > z))
-    return true;
+  for (size_t i = 0; i < *count; i++)
+    if (!(level[i] < z) && !(level[i] > z))
+      return true;
   if (*count == LEVELS_MOST)
     return false;
-  memmove(level + low + 1, level + low, (*count - low) * sizeof *level);
-  level[low] = z;
-  ++*count;
+  level[(*count)++] = z;
   return true;
 }
 
