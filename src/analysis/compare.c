@@ -198,17 +198,11 @@ static void free_impacts(aspi_side *side) {
   side->impacts = NULL;
 }
 
-static int by_angle(const void *left, const void *right) {
-  const aspi_scatter_row *a = left, *b = right;
-  return (a->degrees > b->degrees) - (a->degrees < b->degrees);
-}
-
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error) {
   weights w = {calloc(c->impacts.count + 1, sizeof *w.of),
                calloc(c->impacts.count + 1, sizeof *w.which), 0};
   aspi_score score = {0};
   bool fine = w.of && w.which;
-  qsort(c->impacts.rows, c->impacts.count, sizeof *c->impacts.rows, by_angle);
   for (size_t i = 0; i < c->count && fine; i++) {
     aspi_compare_bin *b = &c->bins[i];
     fine = take_data(&c->data, b) && (!far || take_model(c, far, &w, b));

@@ -42,7 +42,7 @@ typedef struct aspi_compare_reach {
  * each place is a bin then. */
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error);
 
-/* Fills the bins; puts the impacts in order of their angle. far NULL: the data are the impacts
+/* Fills the bins; the impacts are in order of their angle. far NULL: the data are the impacts
  * themselves, which are the model's sample; there are no others then. */
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error);
 
