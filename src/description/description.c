@@ -23,7 +23,7 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
   d->last = "";
   d->sigma = d->r_q = d->lambda_c = NAN;
   d->friction = d->surface_energy = d->yield_stress = NAN;
-  d->seed = aspi_keyword_find("", "seed")->fallback;
+  d->seed = aspi_keyword_find("seed")->fallback;
   d->choice = aspi_wall_choice_smooth();
   d->choice.isotropic = d->choice.multiple = true;
   d->choice.flow.micron = 1e-6 * aspi_quantity_factor("length", &d->units);
@@ -95,7 +95,7 @@ static const aspi_keyword *number_find(const char *name) {
 }
 
 double asp_description_get(const asp_description *d, const char *name) {
-  int i = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
+  int i = name ? aspi_rebound_parameter_find(d->choice.law, name) : -1;
   const aspi_keyword *k = name && i < 0 ? number_find(name) : NULL;
   double value = i >= 0 ? d->choice.parameters[i] : NAN;
   if (k)
@@ -130,7 +130,9 @@ static asp_code set_parameter(asp_description *d, int index, double value, asp_e
 
 static asp_code set_number(asp_description *d, const aspi_keyword *k, double value,
                            asp_error *error) {
-  asp_code code = aspi_keyword_check(k, value, error);
+  char given[32];
+  snprintf(given, sizeof given, "%g", value);
+  asp_code code = aspi_keyword_check(k, given, value, error);
   if (code)
     return code;
   memcpy((char *)d + k->number, &value, sizeof value);
@@ -139,7 +141,7 @@ static asp_code set_number(asp_description *d, const aspi_keyword *k, double val
 }
 
 asp_code asp_description_set(asp_description *d, const char *name, double value, asp_error *error) {
-  int parameter = name ? aspi_rebound_parameter_find(d->choice.law, name, NULL) : -1;
+  int parameter = name ? aspi_rebound_parameter_find(d->choice.law, name) : -1;
   const aspi_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
   if (parameter < 0 && (!k || (*k->within && !aspi_is_given(d, name))))
     return fail_name(d, name, error);

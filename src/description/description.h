@@ -92,14 +92,15 @@ int aspi_keyword_count(void);
 /* NULL for an index past the last. */
 const aspi_keyword *aspi_keyword_at(int index);
 
-/* The word `name` within another one; NULL: it is none. */
-const aspi_keyword *aspi_keyword_find(const char *within, const char *name);
+/* The keyword of that name that begins a clause; NULL: there is none. */
+const aspi_keyword *aspi_keyword_find(const char *name);
 
 /* Adds the words within one to a list, with blanks between. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
-/* Checks a number's range, and that it is whole where it must be. */
-asp_code aspi_keyword_check(const aspi_keyword *keyword, double value, asp_error *error);
+/* Checks the range of a number that was `given` so, and that it is whole where it must be. */
+asp_code aspi_keyword_check(const aspi_keyword *keyword, const char *given, double value,
+                            asp_error *error);
 
 /* ---- what the words say ---- */
 

@@ -82,22 +82,16 @@ static void has_other_density(const asp_question *q, char *text, size_t size) {
              100 * off, m->name, in_si(q, m->density, "density").text);
 }
 
-static void is_in_gpa(const asp_question *q, int which, char *text, size_t size) {
+static void is_in_gpa(const asp_question *q, char *text, size_t size) {
   double pascal = aspi_quantity_factor("stress", &q->words->units);
-  const asp_material *m = q->material[which];
-  if (m && pascal > 0 && m->youngs_modulus < YOUNGS_LEAST * pascal)
-    snprintf(text, size,
-             "Young's modulus of %s is %g, which is %g Pa; is it one in GPa? It must be in the "
-             "script's unit of stress",
-             m->name, m->youngs_modulus, m->youngs_modulus / pascal);
-}
-
-static void particle_in_gpa(const asp_question *q, char *text, size_t size) {
-  is_in_gpa(q, 0, text, size);
-}
-
-static void wall_in_gpa(const asp_question *q, char *text, size_t size) {
-  is_in_gpa(q, 1, text, size);
+  for (int i = 0; i < 2; i++) {
+    const asp_material *m = q->material[i];
+    if (m && pascal > 0 && m->youngs_modulus < YOUNGS_LEAST * pascal)
+      aspi_append(text, size, "%sYoung's modulus of %s is %g, which is %g Pa", *text ? "; " : "",
+                  m->name, m->youngs_modulus, m->youngs_modulus / pascal);
+  }
+  if (*text)
+    aspi_append(text, size, "; is it one in GPa? It must be in the script's unit of stress");
 }
 
 /* True if a normal impact at v sticks; oblique ones have less normal speed. */
@@ -229,9 +223,9 @@ static void draws_from_gaussian(const asp_question *q, char *text, size_t size) 
 
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
   static ask *const doubts[] = {
-      is_high,         rubs_much,     is_soft,        has_no_sampling,     has_odd_heights,
-      is_coarse,       holds_nothing, is_rough_twice, draws_from_gaussian, has_other_density,
-      particle_in_gpa, wall_in_gpa,   yields_never,   sticks_always};
+      is_high,   rubs_much,     is_soft,        has_no_sampling,     has_odd_heights,
+      is_coarse, holds_nothing, is_rough_twice, draws_from_gaussian, has_other_density,
+      is_in_gpa, yields_never,  sticks_always};
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;

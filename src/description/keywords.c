@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
 #include "base/error.h"
+#include "base/quantity.h"
 #include "spread/sizes.h"
 
 #include <limits.h>
@@ -135,17 +136,17 @@ const aspi_keyword *aspi_keyword_at(int index) {
   return index >= 0 && index < aspi_keyword_count() ? &keywords[index] : NULL;
 }
 
-const aspi_keyword *aspi_keyword_find(const char *within, const char *name) {
+const aspi_keyword *aspi_keyword_find(const char *name) {
   for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(keywords[i].within, within) == 0 && strcmp(keywords[i].name, name) == 0)
+    if (!*keywords[i].within && strcmp(keywords[i].name, name) == 0)
       return &keywords[i];
   return NULL;
 }
 
-asp_code aspi_keyword_check(const aspi_keyword *k, double value, asp_error *error) {
+asp_code aspi_keyword_check(const aspi_keyword *k, const char *given, double value,
+                            asp_error *error) {
   if (!k->whole)
-    return k->above ? aspi_check_positive(error, k->name, "", value)
-                    : aspi_check_range(error, k->name, "", value, k->least, k->most);
+    return aspi_quantity_check(k->name, given, k->unit, value, k->least, k->most, k->above, error);
   if (value >= k->least && value <= k->most && !(value > floor(value)))
     return ASP_OK;
   return aspi_fail(error, ASP_EARG, "%s is %.15g; it must be a whole number from %.0f to %.0f",

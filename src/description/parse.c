@@ -130,7 +130,7 @@ asp_code asp_description_read(asp_description *d, int count, const char *const *
     return aspi_fail(error, wrong.code, "%s", wrong.text);
   if (count <= 0 || aspi_words_in_list(words[0], others))
     return ASP_OK;
-  const aspi_keyword *k = aspi_keyword_find("", words[0]);
+  const aspi_keyword *k = aspi_keyword_find(words[0]);
   asp_code code = k ? ASP_OK : fail_keyword(&r, words[0]);
   if (!code && aspi_is_given(d, words[0]))
     code = aspi_fail(&wrong, ASP_EARG, "'%s' is given twice", words[0]);

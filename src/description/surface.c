@@ -93,9 +93,7 @@ asp_code aspi_slope_read(aspi_words *r, const aspi_keyword *k) {
       aspi_quantity_read(k->name, given, *end ? "degrees" : k->unit, &r->d->units, slope, r->error);
   if (!code && *end)
     *slope = tan(aspi_radians(*slope));
-  return code ? code
-              : aspi_quantity_check(k->name, given, "", *slope, k->least, k->most, k->above,
-                                    r->error);
+  return code ? code : aspi_keyword_check(k, given, *slope, r->error);
 }
 
 asp_code aspi_rz_read(aspi_words *r, const aspi_keyword *k) {

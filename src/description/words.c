@@ -109,9 +109,7 @@ asp_code aspi_words_number(aspi_words *r, const aspi_keyword *k, double *value) 
   asp_code code = start ? aspi_quantity_read(k->name, start, k->unit, &d->units, value, r->error)
                         : standard_start(r, k, value);
   if (!code && start)
-    code = k->whole ? aspi_keyword_check(k, *value, r->error)
-                    : aspi_quantity_check(k->name, start, k->unit, *value, k->least, k->most,
-                                          k->above, r->error);
+    code = aspi_keyword_check(k, start, *value, r->error);
   if (code || !unknown)
     return code;
   if (d->n_fits == ASPI_FITS_MOST)

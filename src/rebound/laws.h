@@ -79,8 +79,8 @@ struct asp_rebound_law {
   bool (*spins)(const double *parameters);
 };
 
-/* Index of the law's parameter of that name, or a negative code. */
-int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error);
+/* Index of the law's parameter of that name; -1: it has none. */
+int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name);
 
 /* ASP_EARG and a message where the law has no meaning for bodies with these parameters. */
 asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,

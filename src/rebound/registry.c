@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "rebound/laws.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #define ASP_REBOUND_ADDRESS(name) &aspi_rebound_##name,
@@ -46,17 +45,11 @@ asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, d
                                 parameter->name, word, parameter->words);
 }
 
-int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name, asp_error *error) {
+int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name) {
   for (int i = 0; i < law->n_parameters; i++)
     if (strcmp(law->parameters[i].name, name) == 0)
       return i;
-  if (!error)
-    return -1;
-  char list[200] = "", what[100];
-  for (int i = 0; i < law->n_parameters; i++)
-    aspi_append(list, sizeof list, "%s%s", *list ? " " : "", law->parameters[i].name);
-  snprintf(what, sizeof what, "of rebound law '%s', parameter", law->name);
-  return aspi_fail_unknown(error, what, name, *list ? list : "none");
+  return -1;
 }
 
 asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,

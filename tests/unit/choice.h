@@ -18,7 +18,7 @@ static inline aspi_wall_choice choice_of(const char *law) {
 
 /* Sets a parameter of the law; false if it has none of that name. */
 static inline bool set_parameter(aspi_wall_choice *choice, const char *name, double value) {
-  int index = aspi_rebound_parameter_find(choice->law, name, NULL);
+  int index = aspi_rebound_parameter_find(choice->law, name);
   if (index >= 0)
     choice->parameters[index] = value;
   return index >= 0;

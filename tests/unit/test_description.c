@@ -650,6 +650,10 @@ static void unknown_numbers_are_set(void **state) {
   assert_non_null(strstr(error.text, "0.001 to 54"));
   assert_int_equal(asp_description_set(wall, "rq", 1e-6, &error), ASP_ENAME);
   asp_description_free(wall);
+  wall = parse("rebound constant 1 1 grain lever 0.1", &si);
+  assert_int_equal(asp_description_set(wall, "lever", 3, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "lever is 3; it must be 0 to 0.5"));
+  asp_description_free(wall);
 }
 
 /* A measured wall says where its points are too few for a sphere. */

@@ -21,7 +21,7 @@ static aspi_bounce bons(const asp_pair *pair, double v_n1, double v_t1, double d
   double parameters[ASP_PARAMETERS_MAX];
   for (int i = 0; i < law->n_parameters; i++)
     parameters[i] = law->parameters[i].fallback;
-  parameters[aspi_rebound_parameter_find(law, "yield_rate", NULL)] = rate;
+  parameters[aspi_rebound_parameter_find(law, "yield_rate")] = rate;
   aspi_hit hit = {
       .v_n1 = v_n1, .v_t1 = v_t1, .d_p = d_p, .density = 2650, .pair = pair, .adhesion = true};
   return law->rebound(parameters, &hit);
@@ -155,16 +155,16 @@ static void hot_particles_yield_earlier(void **state) {
   for (int i = 0; i < law->n_parameters; i++)
     parameters[i] = law->parameters[i].fallback;
   for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-    parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = table[i][0];
+    parameters[aspi_rebound_parameter_find(law, "temperature")] = table[i][0];
     aspi_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
     double v_y = table[i][1] / sqrt(2650 * pair.modulus);
     assert_near(law->rebound(parameters, &hit).v_n2, v_y, 1e-12);
-    parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = 1200;
+    parameters[aspi_rebound_parameter_find(law, "temperature")] = 1200;
     hit.temperature = table[i][0] > 0 ? table[i][0] : 300; /* in place of it */
     assert_near(law->rebound(parameters, &hit).v_n2, v_y, 1e-12);
   }
-  parameters[aspi_rebound_parameter_find(law, "yield_rate", NULL)] = 3e6;
-  parameters[aspi_rebound_parameter_find(law, "temperature", NULL)] = 1400;
+  parameters[aspi_rebound_parameter_find(law, "yield_rate")] = 3e6;
+  parameters[aspi_rebound_parameter_find(law, "temperature")] = 1400;
   aspi_hit hit = {.v_n1 = 100, .d_p = 1e-5, .density = 2650, .pair = &pair};
   assert_near(law->rebound(parameters, &hit).v_n2, 0.55 * 3e8 / sqrt(2650 * pair.modulus), 1e-12);
 }
@@ -258,7 +258,7 @@ static void laws_describe_themselves(void **state) {
     assert_true(*law->summary && *law->source);
     for (int k = 0; k < law->n_parameters; k++) {
       const asp_parameter *p = &law->parameters[k];
-      assert_int_equal(aspi_rebound_parameter_find(law, p->name, NULL), k);
+      assert_int_equal(aspi_rebound_parameter_find(law, p->name), k);
       assert_true(*p->text && p->unit);
       assert_true(p->least <= p->fallback);
       assert_true(p->fallback <= p->most);
@@ -293,8 +293,7 @@ static void names_are_listed(void **state) {
   assert_null(aspi_material_find("unobtainium", &error));
   assert_non_null(strstr(error.text, "unobtainium"));
   assert_non_null(strstr(error.text, "hastelloy-x"));
-  assert_true(aspi_rebound_parameter_find(asp_rebound_find("constant", NULL), "cor_x", &error) < 0);
-  assert_non_null(strstr(error.text, "cor_n"));
+  assert_true(aspi_rebound_parameter_find(asp_rebound_find("constant", NULL), "cor_x") < 0);
 }
 
 int main(void) {
