@@ -231,15 +231,6 @@ static bool escapes(const asp_wall *wall, flight *fly, vec out) {
   return walk_escapes(fly, steep ? copysign(INFINITY, out.z) : out.z / along, slope);
 }
 
-/* The impact angle, < 0 upward, of a flight that rises from a face with the velocity `out`, over a
- * profile that is followed in whatever direction it flies, although the slope across was drawn.
- * Over the profile it is as steep as over the face; else it would hit that face again. */
-static double angle_over_profile(const face *on, vec out) {
-  double along = hypot(out.x, out.y), p = tan(on->delta);
-  double off = out.z - p * out.x - on->q * out.y;
-  return -atan(off / along + (out.x < 0 ? -p : p));
-}
-
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
  * left. */
 static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, double *delta,
@@ -305,8 +296,6 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
       choose_direction(rough, now, stream);
     fly.heading = aspi_heading_of(rough, now);
     fly.now = incidence_at(rough, fly.heading, impact_angle(now), false);
-    if (wall->follow && wall->isotropic && !wall->draws_q && has_direction(now) && local.z > 0)
-      fly.now.view.alpha1 = angle_over_profile(&on, local);
   }
   frame first = frame_of(v1, now->n);
   impact->capped = true;

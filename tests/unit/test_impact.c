@@ -390,25 +390,6 @@ static void no_coefficient_is_infinite(void **state) {
   assert_true(isfinite(c.cor_n) && isfinite(c.cor_t) && isfinite(c.cor_v) && isfinite(c.cor_alpha));
 }
 
-/* Followed over a profile in space, a particle does not hit the face again that it leaves: else a
- * twentieth would stick here, instead of 0.8 % (sweep/capture.c). */
-static void traced_particles_leave_their_face(void **state) {
-  (void)state;
-  asp_wall *wall = asp_wall_from_text("surface rq 7.1um lambda_c 42um spread traced rebound bons "
-                                      "materials quartz ti-6al-4v",
-                                      20e-6, 20e-6, NULL);
-  const asp_particle particle = {.d_p = 20e-6, .density = 2650};
-  const double v1[3] = {136, 0, -63.4}, n[3] = {0, 0, 1};
-  int stick = 0;
-  for (uint64_t i = 0; i < 5000; i++) {
-    asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, n, &(asp_key){1, 1, i, 1}, &impact);
-    stick += impact.outcome == ASP_DEPOSIT;
-  }
-  assert_true(stick > 15 && stick < 80);
-  asp_wall_free(wall);
-}
-
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(smooth_wall_is_the_law),
@@ -426,7 +407,6 @@ int main(void) {
       cmocka_unit_test(a_pair_is_needed),
       cmocka_unit_test(properties),
       cmocka_unit_test(no_coefficient_is_infinite),
-      cmocka_unit_test(traced_particles_leave_their_face),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
