@@ -20,7 +20,6 @@ typedef struct scene {
   cli_description wall;
   const asp_spread_model *model;
   aspi_view view;
-  bool shaped;  /* the law is there as a density, too */
   bool by_size; /* the wall is more than a sigma */
 } scene;
 
@@ -75,7 +74,6 @@ static scene scene_of(const cli_call *call) {
   s.model = asp_wall_spread(s.wall.wall);
   s.view = view_of(&s.wall, d_p);
   s.view.data = s.wall.wall->data;
-  s.shaped = s.model->density && !s.wall.wall->draws_q; /* that of a map is lines over it */
   return s;
 }
 
@@ -151,9 +149,8 @@ static void run(cli_call *call) {
   if (pdf && summary)
     cli_bad_usage("--pdf is given with --summary; it must be one of them");
   scene s = scene_of(call);
-  if (pdf && !s.shaped)
-    cli_bad_usage("--pdf: model '%s' has no density%s", s.model->name,
-                  s.model->density ? " on a map" : "");
+  if (pdf && !s.model->density)
+    cli_bad_usage("--pdf: model '%s' has no density", s.model->name);
   out = cli_table_open(call, s.wall.text);
   if (summary)
     fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);

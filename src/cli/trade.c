@@ -7,13 +7,13 @@
 #include "cli/description.h"
 #include "description/description.h"
 #include "cli/plot.h"
+#include "spread/models.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Default. */
-enum { PROFILES_MANY = 16 };
+enum { PROFILES_MANY = 16 /* default */, MODELS_MOST = 32 };
 
 /* Length of a piece of a measured profile in lambda_c, unless there would be too few pieces. */
 #define PIECE_LENGTH 25.0
@@ -47,11 +47,19 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
                   .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value}};
 }
 
+/* The models that are judged; those of Gaussian walls only are not, on a measured one. */
+static size_t list_models(const aspi_judge_case *subject, const asp_spread_model **models) {
+  size_t n = 0;
+  for (int m = 0; m < asp_spread_count(); m++)
+    if (!subject->profile || asp_spread_at(m) != &aspi_spread_profile)
+      models[n++] = asp_spread_at(m);
+  return n;
+}
+
 /* All rows, angle by angle. */
 static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_case *subject,
-                      judged *rows) {
+                      const asp_spread_model **of, size_t models, judged *rows) {
   bool multiple = cli_choice(cli_get(call, "collisions"));
-  size_t models = (size_t)asp_spread_count();
   aspi_judge_walls walls;
   aspi_judge judge;
   asp_error error;
@@ -64,15 +72,14 @@ static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_c
   cli_progress_end(&progress);
   progress = cli_progress_begin("models", (double)models);
   for (size_t m = 0; m < models; m++) {
-    const asp_spread_model *of = asp_spread_at((int)m);
     aspi_judge_model model;
-    cli_must(!aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of), multiple,
-                                      &error),
+    cli_must(!aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of[m]),
+                                      multiple, &error),
              &error);
     for (size_t i = 0; i < angles->count; i++) {
       judged *row = &rows[i * models + m];
       *row = judge_at(subject, &judge, &model, angles->values[i], i);
-      row->model = of;
+      row->model = of[m];
     }
     aspi_judge_model_free(&model);
     cli_progress_show(&progress, (double)m + 1);
@@ -95,8 +102,7 @@ static int by_cost(const void *a, const void *b) {
   return (x->cost > y->cost) - (x->cost < y->cost);
 }
 
-static point *summarize(const judged *rows, size_t n) {
-  size_t models = (size_t)asp_spread_count();
+static point *summarize(const judged *rows, size_t n, size_t models) {
   point *points = cli_allocate(models, sizeof *points);
   for (size_t m = 0; m < models; m++) {
     points[m] = (point){.model = rows[m].model};
@@ -114,9 +120,9 @@ static point *summarize(const judged *rows, size_t n) {
 
 /* Names the cheapest model whose worst divergence, with twice its standard error, is below the
  * tolerance. */
-static void mark(FILE *out, const point *points, double tolerance) {
+static void mark(FILE *out, const point *points, size_t models, double tolerance) {
   const point *chosen = NULL, *nearest = points;
-  for (const point *p = points; p < points + asp_spread_count(); p++) {
+  for (const point *p = points; p < points + models; p++) {
     if (!chosen && fmax(p->worst, 0) + 2 * p->se < tolerance)
       chosen = p;
     if (p->worst < nearest->worst)
@@ -240,12 +246,13 @@ static void run(cli_call *call) {
   aspi_judge_case subject = case_of(call, &wall, d_p, &angles);
   const cli_option *given = cli_get(call, "tolerance");
   double tolerance = given->value ? cli_number(given, 1e-9, 100) : 0;
-  size_t n = angles.count * (size_t)asp_spread_count();
+  const asp_spread_model *of[MODELS_MOST];
+  size_t models = list_models(&subject, of), n = angles.count * models;
   judged *rows = cli_allocate(n, sizeof *rows);
-  judge_all(call, &angles, &subject, rows);
+  judge_all(call, &angles, &subject, of, models, rows);
   FILE *out = cli_table_open(call, wall.text);
   if (tolerance > 0)
-    mark(out, summarize(rows, n), tolerance);
+    mark(out, summarize(rows, n, models), models, tolerance);
   print(out, rows, n);
   cli_table_close(call, out, "trade");
 }

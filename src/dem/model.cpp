@@ -105,9 +105,9 @@ void Model::check_dimension() const {
   if (tilt != "plane")
     throw Error("spread is 'isotropic', which tilts out of the plane of 'dimension 2'; it must be "
                 "plane");
-  if (surface == "map" && spread == "profile")
-    throw Error("spread is 'profile', of a map a law in three dimensions; in 'dimension 2' it must "
-                "be another model, such as visible");
+  if (surface == "map" && spread == "traced")
+    throw Error("spread is 'traced', over a map a flight in three dimensions; in 'dimension 2' it "
+                "must be another model, such as visible");
   if (lay_.kind != ASP_LAY_NONE)
     throw Error(
         "the wall has a lay; in 'dimension 2' it must have none: lambda_c must be the length "

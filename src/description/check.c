@@ -13,11 +13,7 @@
 #define SIGMA_LAMBDA 1e6
 
 bool asp_description_needs_sizes(const asp_description *d) {
-  if (d->kind == ASPI_SMOOTH)
-    return false;
-  const asp_spread_model *spread = aspi_description_spread(d);
-  return d->kind == ASPI_PROFILE || spread->generate ||
-         (d->kind == ASPI_MAP && spread->prepare_map);
+  return d->kind == ASPI_PROFILE || (d->kind != ASPI_SMOOTH && aspi_description_spread(d)->prepare);
 }
 
 /* ---- what has no effect ---- */
@@ -52,6 +48,15 @@ static asp_code check_effects(const asp_description *d, asp_error *error) {
       return aspi_fail(error, ASP_EARG, "'%s' has no effect with %s%s%s", rules[i].name,
                        rules[i].with, rules[i].which, rules[i].why);
   return ASP_OK;
+}
+
+static asp_code check_spread(const asp_description *d, asp_error *error) {
+  if (d->spread != &aspi_spread_profile || !d->file)
+    return ASP_OK;
+  return aspi_fail(
+      error, ASP_EARG,
+      "spread is 'profile', a law of Gaussian walls; over a measured one particles are "
+      "followed hit by hit: 'spread traced', the default");
 }
 
 static asp_code check_erosion(const asp_description *d, asp_error *error) {
@@ -139,6 +144,8 @@ asp_code asp_description_check(const asp_description *d, asp_error *error) {
     return aspi_fail(error, d->broken.code, "%s", d->broken.text);
   asp_error wrong = {ASP_OK, ""};
   asp_code code = check_effects(d, error);
+  if (!code)
+    code = check_spread(d, error);
   if (!code)
     code = check_erosion(d, error);
   if (!code && d->choice.lever > 0)

@@ -183,7 +183,7 @@ const char *asp_description_word(const asp_description *d, const char *name) {
 
 const asp_spread_model *aspi_description_spread(const asp_description *d) {
   bool is_measured = d->kind == ASPI_PROFILE || d->kind == ASPI_MAP;
-  const char *standard = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "profile" : "visible";
+  const char *standard = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "traced" : "visible";
   return d->spread ? d->spread : asp_spread_find(standard, NULL);
 }
 

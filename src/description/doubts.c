@@ -217,7 +217,7 @@ static void draws_from_gaussian(const asp_question *q, char *text, size_t size) 
   if (spread && q->words->file && !spread->prepare && strcmp(spread->name, "none") != 0)
     snprintf(text, size,
              "'spread %s' draws from a Gaussian wall with the slopes of '%s', whose own law is "
-             "'spread profile'",
+             "'spread traced'",
              spread->name, q->words->file);
 }
 

@@ -1,7 +1,5 @@
 /* First hits along a line over a dilated wall: a path is a constant value of g = z + x tan(alpha1),
- * and touches where g passes its running maximum. The faces have the slopes of the contacts, not of
- * the differences between points: two neighbors' tangents cross in between, on a smooth piece in
- * the middle and at a kink where the kink is.
+ * and touches where g passes its running maximum.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/line.h"
@@ -39,30 +37,6 @@ static void set_fall_least(aspi_line *line) {
   line->fall_least = ASPI_RISE_LEAST * sqrt(square) / (n * line->step);
 }
 
-void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t stride) {
-  ptrdiff_t n = (ptrdiff_t)line->n;
-  double step = line->step, sign = stride < 0 ? -1 : 1;
-  if (stride < 0) {
-    z -= (n - 1) * stride;
-    p -= (n - 1) * stride;
-  }
-  for (ptrdiff_t i = 0; i < n; i++) {
-    ptrdiff_t k = (i + 1 < n ? i + 1 : 0) * stride;
-    double here = z[i * stride], next = z[k], a = sign * p[i * stride], b = sign * p[k];
-    double over = next - b * step - here, bend = a - b;
-    /* The crossing of the tangents where it lies between the points, else the middle. */
-    double at = 0.5 * step, height = 0.5 * (here + next + 0.5 * step * bend);
-    if (over * bend > 0 && fabs(over) < fabs(bend) * step) {
-      at = over / bend;
-      height = here + a * at;
-    }
-    line->slope[i] = a;
-    line->end_x[i] = (double)i * step + at;
-    line->end_z[i] = height;
-  }
-  set_fall_least(line);
-}
-
 asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, double d_p,
                                 asp_error *error) {
   asp_error own;
@@ -90,25 +64,6 @@ asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, dou
   if (!code)
     set_fall_least(line);
   return code;
-}
-
-asp_code aspi_line_coarsen(aspi_line *line, const aspi_line *fine, size_t parts, size_t most,
-                           bool back, asp_error *error) {
-  size_t n = fine->n / parts < most ? fine->n / parts : most;
-  asp_code code = aspi_line_create(line, n, 1, error);
-  if (code)
-    return code;
-  double z = 0;
-  for (size_t i = 0; i < n; i++) {
-    const double *slope = fine->slope + (back ? n - 1 - i : i) * parts;
-    line->slope[i] = 0;
-    for (size_t k = 0; k < parts; k++)
-      line->slope[i] += (back ? -slope[k] : slope[k]) / (double)parts;
-    line->end_x[i] = (double)(i + 1);
-    line->end_z[i] = z += line->slope[i];
-  }
-  set_fall_least(line);
-  return ASP_OK;
 }
 
 double aspi_line_fall(const aspi_line *line, double alpha1) {

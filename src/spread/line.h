@@ -28,19 +28,10 @@ typedef struct aspi_line {
 asp_code aspi_line_create(aspi_line *line, size_t n, double step, asp_error *error);
 void aspi_line_free(aspi_line *line);
 
-/* Takes heights and slopes, each `stride` apart (negative: from the far end, and flight the other
- * way, in which slopes change their sign). Two neighbors meet where their tangents do. */
-void aspi_line_set(aspi_line *line, const float *z, const float *p, ptrdiff_t stride);
-
 /* The path of the center of a disc of diameter 0 <= d_p <= length over a profile, in units of its
  * spacing (aspi_profile_path); a measured profile continues as its mirror image. To be freed. */
 asp_code aspi_line_over_profile(aspi_line *line, const asp_profile *profile, double d_p,
                                 asp_error *error);
-
-/* The line with `parts` faces of `fine` joined to one of length 1, up to `most` of them; with
- * `back` as a flight the other way meets them. To be freed. */
-asp_code aspi_line_coarsen(aspi_line *line, const aspi_line *fine, size_t parts, size_t most,
-                           bool back, asp_error *error);
 
 /* The slope tan(alpha1) at which a beam falls, within what the line resolves: a flatter beam would
  * meet a handful of its peaks only. */

@@ -6,8 +6,8 @@
 #define ASP_SPREAD_MODELS_H
 
 #include "base/stream.h"
+#include "spread/flight.h"
 #include "spread/sizes.h"
-#include "spread/trace.h"
 
 enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called capped */
 
@@ -25,6 +25,25 @@ typedef struct aspi_view {
                        to the flight, counted toward the lay's other side: from n x lay */
   double azimuth;
 } aspi_view;
+
+/* The state of a particle that a model follows over the heights of a wall; all 0 before the first
+ * face. */
+typedef struct aspi_path {
+  bool begun;
+  bool back;      /* flies toward smaller x of a profile */
+  double turn;    /* from the flight before to this one, from t toward b */
+  int field;      /* index among those of the model */
+  double azimuth; /* over a map, from x toward y */
+  aspi_spot spot;
+  double q; /* over a map: slope of the last face across the flight */
+} aspi_path;
+
+/* Heights of a wall: of a map, else of a profile, else of a generated Gaussian surface. */
+typedef struct aspi_relief {
+  const asp_surface *surface;
+  const asp_profile *profile;
+  const asp_map *map;
+} aspi_relief;
 
 /* A view for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 aspi_view aspi_view_of(double sigma, double alpha1);
@@ -51,11 +70,9 @@ struct asp_spread_model {
   /* Draws one delta by a loop; NULL: by the quantile. False when the loop reached its bound (delta
    * is then 0, the mean wall). */
   bool (*loop)(const aspi_view *view, aspi_stream *stream, double *delta);
-  /* Makes aspi_view.data out of a profile, out of a map, or for a Gaussian wall of which there is
-   * none, NULL on error, and frees it; NULL where none is needed. */
-  void *(*prepare)(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error);
-  void *(*prepare_map)(const asp_map *map, const aspi_sizes *sizes, asp_error *error);
-  void *(*generate)(const asp_surface *surface, const aspi_sizes *sizes, asp_error *error);
+  /* Makes aspi_view.data out of the heights of a wall, NULL on error, and frees it; NULL where
+   * none is needed. */
+  void *(*prepare)(const aspi_relief *of, const aspi_sizes *sizes, asp_error *error);
   void (*release)(void *data);
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
    * false when it leaves the wall. NULL for models without positions. */

@@ -11,11 +11,13 @@ double aspi_sizes_at(const aspi_sizes *sizes, int bin) {
   return sizes->least * exp(span * (sizes->bins > 1 ? bin / (sizes->bins - 1.) : 0.5));
 }
 
-int aspi_sizes_nearest(const aspi_sizes *sizes, double d_p) {
-  if (sizes->bins < 2 || !(d_p > sizes->least))
+int aspi_sizes_draw(const aspi_sizes *sizes, double d_p, aspi_stream *stream) {
+  double span = log(sizes->most / sizes->least);
+  if (sizes->bins < 2 || !(span > 0))
     return 0;
-  double at = log(d_p / sizes->least) / log(sizes->most / sizes->least) * (sizes->bins - 1);
-  return (int)fmin(at + 0.5, sizes->bins - 1);
+  double at = fmin(fmax(log(d_p / sizes->least) / span, 0), 1) * (sizes->bins - 1),
+         below = floor(at);
+  return (int)below + (aspi_stream_uniform(stream) < at - below);
 }
 
 asp_code aspi_sizes_check(const aspi_sizes *sizes, asp_error *error) {

@@ -5,6 +5,7 @@
 #define ASP_SPREAD_SIZES_H
 
 #include "asperity_internal.h"
+#include "base/stream.h"
 
 /* `bins` diameters from least to most at equal ratios; one bin is their geometric mean.
  * 0 < least <= most, 1 <= bins <= ASP_BINS_MAX. */
@@ -17,6 +18,8 @@ typedef struct aspi_sizes {
 asp_code aspi_sizes_check(const aspi_sizes *sizes, asp_error *error);
 
 double aspi_sizes_at(const aspi_sizes *sizes, int bin); /* the diameter of a bin */
-int aspi_sizes_nearest(const aspi_sizes *sizes, double d_p);
+
+/* One of the two bins around a diameter, the nearer one more often. */
+int aspi_sizes_draw(const aspi_sizes *sizes, double d_p, aspi_stream *stream);
 
 #endif

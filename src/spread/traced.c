@@ -1,15 +1,16 @@
-/* The geometry itself, hit by hit: every particle falls on the profile at a random place and is
- * followed over it until it leaves. Faces are those of the disc nearest in size among the bins.
- * Slow, and exact for its profile.
+/* The geometry itself, hit by hit: every particle falls on the dilated wall at a random place and
+ * is followed over it until it leaves (flight.h). Exact for the heights of a measured profile or
+ * map and the diameters that it is prepared for; a particle in between takes one of the two next to
+ * its own, the nearer one more often.
  *
- * A Gaussian wall without a profile gets a generated one with the rms slope of the ensemble, and
- * its negative; half of the particles fly over each of them backwards. This represents the ensemble
- * better than one flight over a profile eight times as long.
+ * A Gaussian wall gets a generated profile with the rms slope of the ensemble, and its negative;
+ * half of the particles fly over each of them backwards. This represents the ensemble better than
+ * one flight over a profile eight times as long.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "spread/flight.h"
 #include "spread/models.h"
-#include "spread/trace.h"
 #include "surface/closing.h"
 #include "surface/profile.h"
 
@@ -23,95 +24,132 @@ enum { PER_LAMBDA = 32, POINTS = 1 << 19 };
 /* Below this kappa all sizes are of one bin. */
 #define KAPPA_NO_FILTER 0.08
 
-typedef struct tracks {
+/* Most points of a field over a map, and how many of them a correlation length needs. */
+enum { MAP_POINTS = 1 << 18, MAP_PER_LAMBDA = 10 };
+
+typedef struct fields {
   aspi_sizes sizes;
-  int profiles;        /* 1, or 2: the generated one and its negative */
-  aspi_track *track[]; /* a bin's, for each profile */
-} tracks;
+  bool is_map;
+  double lay;         /* of a map: direction from x to y */
+  int fields;         /* of a size: 1, or the generated profile and its negative */
+  aspi_field field[]; /* of each size, one after the other */
+} fields;
 
 static void release(void *data) {
-  tracks *t = data;
-  for (int i = 0; i < t->sizes.bins * t->profiles; i++)
-    aspi_track_free(t->track[i]);
+  fields *t = data;
+  for (int i = 0; i < t->sizes.bins * t->fields; i++)
+    aspi_field_free(&t->field[i]);
   free(t);
 }
 
-/* Room for the tracks, still empty. */
-static tracks *allot(int profiles, const aspi_sizes *sizes, asp_error *error) {
-  if (aspi_sizes_check(sizes, error))
-    return NULL;
-  size_t count = (size_t)(sizes->bins * profiles);
-  tracks *t = calloc(1, sizeof *t + count * sizeof *t->track);
-  if (!t) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for %d tracks", (int)count);
-    return NULL;
+/* All points of a small map; of a larger one every second, third and so on, and of one that is too
+ * large for that the middle. */
+static aspi_grid grid_of(const asp_map *map, double lambda) {
+  const size_t side[2] = {map->columns, map->rows};
+  double step = fmax(map->step[0], map->step[1]);
+  aspi_grid g = {.stride = 1};
+  while (side[0] / g.stride * (side[1] / g.stride) > MAP_POINTS &&
+         (double)(g.stride + 1) * step <= lambda / MAP_PER_LAMBDA)
+    g.stride++;
+  double points = (double)(side[0] / g.stride) * (double)(side[1] / g.stride);
+  for (int a = 0; a < 2; a++) {
+    g.count[a] = (size_t)((double)(side[a] / g.stride) * fmin(1, sqrt(MAP_POINTS / points)));
+    g.first[a] = (side[a] - g.count[a] * g.stride) / 2;
   }
-  t->sizes = *sizes;
-  t->profiles = profiles;
-  return t;
+  return g;
 }
 
-static void *prepare(const asp_profile *profile, const aspi_sizes *sizes, asp_error *error) {
-  tracks *t = allot(1, sizes, error);
-  for (int i = 0; t && i < sizes->bins; i++) {
-    t->track[i] = aspi_track_create(profile, aspi_sizes_at(sizes, i), error);
-    if (!t->track[i]) {
+/* The field of a wall for one size; `made`: a generated profile, which is smooth, or NULL. */
+static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_profile *made, double d_p,
+                     asp_error *error) {
+  if (of->map) {
+    const aspi_grid grid = grid_of(of->map, asp_surface_lambda_c(of->surface));
+    return aspi_field_over_map(field, of->map, d_p, &grid, error);
+  }
+  if (of->profile)
+    return aspi_field_over_profile(field, of->profile, d_p, error);
+  asp_profile *path = aspi_profile_rolled(made, d_p, 1, error);
+  asp_code code = path ? aspi_field_over_profile(field, path, 0, error) : error->code;
+  asp_profile_free(path);
+  return code;
+}
+
+/* The fields of all sizes over the wall, or over a generated profile (0) or its negative (1). */
+static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error *error) {
+  asp_profile *made = NULL;
+  if (!of->map && !of->profile) {
+    double lambda_c = asp_surface_lambda_c(of->surface);
+    made = aspi_profile_create_scaled(asp_surface_r_q(of->surface), lambda_c, lambda_c / PER_LAMBDA,
+                                      POINTS, SEED, number ? -1 : 1, error);
+    if (!made)
+      return error->code;
+  }
+  asp_code code = ASP_OK;
+  for (int i = 0; i < t->sizes.bins && !code; i++)
+    code = fill(&t->field[t->fields * i + number], of, made, aspi_sizes_at(&t->sizes, i), error);
+  asp_profile_free(made);
+  return code;
+}
+
+static void *prepare(const aspi_relief *of, const aspi_sizes *sizes, asp_error *error) {
+  bool is_map = of->map, generated = !is_map && !of->profile;
+  asp_map_numbers d = {0};
+  if (aspi_sizes_check(sizes, error) || (is_map && asp_map_describe(of->map, &d, error)))
+    return NULL;
+  int number = generated ? 2 : 1, bins = sizes->bins;
+  if (generated && asp_surface_kappa(of->surface, sizes->most) < KAPPA_NO_FILTER)
+    bins = 1;
+  fields *t = calloc(1, sizeof *t + (size_t)(bins * number) * sizeof *t->field);
+  if (!t) {
+    aspi_fail(error, ASP_ENOMEM, "out of memory for %d dilated walls", bins * number);
+    return NULL;
+  }
+  *t = (fields){{sizes->least, sizes->most, bins}, is_map, d.lay, number};
+  for (int i = 0; i < number; i++)
+    if (fill_all(t, of, i, error)) {
       release(t);
       return NULL;
     }
-  }
   return t;
 }
 
-/* The track of a disc on one of the generated profiles, which are smooth. */
-static aspi_track *rolled(const asp_profile *profile, double d_p, asp_error *error) {
-  asp_profile *path = aspi_profile_rolled(profile, d_p, 1, error);
-  aspi_track *track = path ? aspi_track_create(path, 0, error) : NULL;
-  asp_profile_free(path);
-  return track;
-}
-
-/* Makes the tracks of the generated profile (sign 1), or of its negative (-1). */
-static bool fill(tracks *t, const asp_surface *surface, int sign, asp_error *error) {
-  double lambda_c = asp_surface_lambda_c(surface);
-  asp_profile *profile = aspi_profile_create_scaled(
-      asp_surface_r_q(surface), lambda_c, lambda_c / PER_LAMBDA, POINTS, SEED, sign, error);
-  bool made = profile;
-  for (int i = 0; made && i < t->sizes.bins; i++) {
-    aspi_track **track = &t->track[2 * i + (sign < 0)];
-    *track = rolled(profile, aspi_sizes_at(&t->sizes, i), error);
-    made = *track;
+/* Puts the particle over the wall; over generated profiles, in either direction. */
+static void enter(const fields *t, const aspi_view *view, aspi_stream *stream, aspi_path *path) {
+  double u = aspi_stream_uniform(stream), v = 0;
+  path->begun = true;
+  path->field = t->fields * aspi_sizes_draw(&t->sizes, view->d_p, stream);
+  if (t->is_map) {
+    v = aspi_stream_uniform(stream);
+    path->azimuth = view->has_azimuth ? t->lay - ASP_PI / 2 + view->azimuth
+                                      : 2 * ASP_PI * aspi_stream_uniform(stream);
+  } else if (t->fields > 1) {
+    int way = (int)(4 * u);
+    u = 4 * u - way;
+    path->field += way % 2;
+    path->back = way / 2;
   }
-  asp_profile_free(profile);
-  return made;
-}
-
-static void *generate(const asp_surface *surface, const aspi_sizes *sizes, asp_error *error) {
-  tracks *t = allot(2, sizes, error);
-  if (t && asp_surface_kappa(surface, sizes->most) < KAPPA_NO_FILTER)
-    t->sizes.bins = 1;
-  if (t && fill(t, surface, 1, error) && fill(t, surface, -1, error))
-    return t;
-  if (t)
-    release(t);
-  return NULL;
-}
-
-/* Puts the particle before one of the profiles; over generated ones, from either side. */
-static void enter(const aspi_track *const track[], int profiles, double u, aspi_path *path) {
-  int ways = profiles > 1 ? 2 * profiles : 1, way = (int)(ways * u);
-  aspi_track_enter(track[way % profiles], fmax(ways * u - way, 0x1p-53), path);
-  path->back = way / profiles;
-  path->profile = way % profiles;
+  path->spot = aspi_field_enter(&t->field[path->field], u, v);
 }
 
 static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
-  const tracks *t = view->data;
-  const aspi_track *const *track =
-      (const aspi_track *const *)t->track + aspi_sizes_nearest(&t->sizes, view->d_p) * t->profiles;
+  const fields *t = view->data;
   if (!path->begun)
-    enter(track, t->profiles, aspi_stream_uniform(stream), path);
-  return aspi_track_next(track[path->profile], view->alpha1, path, delta);
+    enter(t, view, stream, path);
+  else
+    path->azimuth += path->turn;
+  const aspi_field *field = &t->field[path->field];
+  double x = t->is_map ? cos(path->azimuth) : path->back ? -1 : 1;
+  double y = t->is_map ? sin(path->azimuth) : 0, along = cos(view->alpha1),
+         fall = sin(view->alpha1);
+  if (!path->spot.lies)
+    fall = fmax(fall, field->fall_least * along);
+  double gradient[2];
+  if (!aspi_field_next(field, (const double[3]){along * x, along * y, -fall}, &path->spot,
+                       gradient))
+    return false;
+  *delta = atan(gradient[0] * x + gradient[1] * y);
+  path->q = gradient[1] * x - gradient[0] * y;
+  return true;
 }
 
 static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
@@ -121,13 +159,12 @@ static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
 
 const asp_spread_model aspi_spread_traced = {
     .name = "traced",
-    .summary = "the particle followed over a profile, hit by hit: the reference",
+    .summary = "the particle followed over the heights of the wall, hit by hit",
     .source = "geometry",
     .geometry = true,
     .upward = true,
     .loop = loop,
     .prepare = prepare,
-    .generate = generate,
     .release = release,
     .follow = follow,
 };

@@ -38,20 +38,15 @@ static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
   return ASP_OK;
 }
 
-/* Creates the model's data from the profile, or from one that the model generates. */
 static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error *error) {
-  const asp_spread_model *model = choice->spread;
   *data = NULL;
-  bool from_map = choice->map && model->prepare_map;
-  bool from_profile = !from_map && choice->profile && model->prepare;
-  if (!choice->surface || !(from_map || from_profile || (!choice->profile && model->generate)))
+  if (!choice->surface || !choice->spread->prepare)
     return ASP_OK;
+  const aspi_relief of = {choice->surface, choice->profile, choice->map};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
   asp_error wrong = {ASP_OK, ""};
-  *data = from_map       ? model->prepare_map(choice->map, &sizes, &wrong)
-          : from_profile ? model->prepare(choice->profile, &sizes, &wrong)
-                         : model->generate(choice->surface, &sizes, &wrong);
+  *data = choice->spread->prepare(&of, &sizes, &wrong);
   return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 
@@ -103,10 +98,9 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
     code = make_data(choice, &wall->data, error);
   wall->rough = is_rough(choice);
   wall->follow = wall->data ? spread->follow : NULL;
-  wall->draws_q = wall->data && choice->map && spread->prepare_map;
+  wall->draws_q = wall->data && choice->map;
   wall->isotropic = choice->isotropic || wall->draws_q;
-  wall->multiple =
-      choice->multiple || spread->escape || wall->draws_q || (spread->follow && !spread->quantile);
+  wall->multiple = choice->multiple || spread->escape || spread->follow;
   aspi_wall_take_law(wall, choice);
   return code;
 }

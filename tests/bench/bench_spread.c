@@ -173,9 +173,10 @@ static void prepare(inputs *in, void *data[MODELS_MAX]) {
   aspi_sizes sizes = {0.05, 0.5, 16};
   asp_profile *profile =
       asp_profile_create(tan(in->sigma) / sqrt(2), 1, 1 / 128., 1 << 16, 1, NULL);
+  const aspi_relief of = {.profile = profile};
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
-    data[i] = profile && model->prepare ? model->prepare(profile, &sizes, NULL) : NULL;
+    data[i] = profile && model->prepare ? model->prepare(&of, &sizes, NULL) : NULL;
     if (model->prepare && !data[i])
       abort();
   }

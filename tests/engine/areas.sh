@@ -32,7 +32,7 @@ same left.csv two.csv "1 and 2 ranks"
 engine 1 right.in -var out right.csv
 [ "$(count_rows left.csv)" -ge 2000 ] || die "too few impacts"
 grep -q 'map wall.txt (200 x 200 points read, 0 bad' left.in.screen || die "the log does not state the map"
-grep -q 'spread profile' left.in.screen || die "a map is not its own law where nothing else is said"
+grep -q 'spread traced' left.in.screen || die "a map is not its own law where nothing else is said"
 # The grains fly in all directions; which way those that leave lean, against the lay's direction, is that of a Gaussian
 # wall with the same lengths.
 lean() { awk '/^ITEM: TIMESTEP/ { getline t } /^ITEM: ATOMS/ { on = t == 400; next } /^ITEM/ { on = 0 } on { s += $2 * $3 / ($2 * $2 + $3 * $3); n++ } END { print s / n }' "$1.dump"; }

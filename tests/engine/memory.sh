@@ -22,7 +22,7 @@ timestep 1e-7"
   echo "fix wall all wall/rebound primitive type 2 zplane 0.0 $1
 run 1"
 }
-scene 'surface profile profile.csv dp_bins 2 spread profile rebound table table.csv' > measured.in
+scene 'surface profile profile.csv dp_bins 2 spread traced rebound table table.csv' > measured.in
 scene 'surface rq 1e-5 lambda_c 1e-4 dp_bins 2 spread traced materials chalk hastelloy-x file own.csv' > generated.in
 
 run_with() { # AT SCRIPT: the status of a run whose allocation of that number fails

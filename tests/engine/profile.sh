@@ -93,17 +93,17 @@ refused "profile coarse.csv" coarse.csv "spacing 1e-05"
 refused 'profile wall.csv dp_bins 0' "dp_bins is 0" "1 to 256"
 refused 'rq 1e-4 lambda_c 4e-5' "phi_r"
 
-# The table of each size is its own: sd of the tilts of small and of large grains, and their mean, as the command has
+# The heights of each size are its own: sd of the tilts of small and of large grains, and their mean, as the command has
 # them for that size alone. One bin for both is wrong by far.
 classes() { # surface
   awk 'BEGIN { n = 1500; print "grains\n\n" 2 * n " atoms\n2 atom types\n\n-1e-3 1.51e-1 xlo xhi\n-1e-3 1e-3 ylo yhi\n-5e-4 1e-3 zlo zhi\n\nAtoms\n"
     for (i = 1; i <= 2 * n; i++) { d = i > n ? 60e-6 : 5e-6; print i, 1, d, 2650, 1e-4 * (i % n), (i > n ? 5e-4 : -5e-4), d / 2 + 5e-6 }
     print "\nVelocities\n"; for (i = 1; i <= 2 * n; i++) print i, 86.60254, 0, -50, 0, 0, 0 }' > si.data
-  deck si 1 1 1 1 "$1 spread profile rebound constant 1 1 deposit off" 'run 100' | sed 's/ spread truncated//' > classes.in
+  deck si 1 1 1 1 "$1 spread traced rebound constant 1 1 deposit off" 'run 100' | sed 's/ spread truncated//' > classes.in
   rm -f classes.csv
   engine 1 classes.in -var out classes.csv
   for d_p in 5um 60um; do
-    "$bin/asperity" cor surface $1 spread profile rebound constant 1 1 --dp $d_p --angles 30 --samples 1500 > command.csv
+    "$bin/asperity" cor surface $1 spread traced rebound constant 1 1 --dp $d_p --angles 30 --samples 1500 > command.csv
     { awk -F, 'NR == 1 || /^#/ { next } /delta_alpha/ { for (k = 1; k <= NF; k++) if ($k == "delta_alpha_deg") at = k; next } { print "command", $at }' command.csv
       rows classes.csv | awk -F, -v d="${d_p%um}e-6" '$2 == 1 && $9 > 0.9 * d && $9 < 1.1 * d { print "fix", $12 }'; } |
       awk -v of="$1, $d_p" '{ n[$1]++; s[$1] += $2; q[$1] += $2 * $2 } END { for (k in n) { m[k] = s[k] / n[k]; sd[k] = sqrt(q[k] / n[k] - m[k] ^ 2) }

@@ -6,9 +6,8 @@
 #include "base/units.h"
 #include "base/error.h"
 #include "base/stream.h"
-#include "dilated_map.h"
+#include "spread/flight.h"
 #include "spread/line.h"
-#include "surface/ball.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,22 +35,26 @@ static void reflect(double v[3], const double gradient[2]) {
     v[k] -= twice * m[k];
 }
 
-/* One particle from its first hit on. */
-static void fly_on(const aspi_dilated_map *field, const surfaces *subject, size_t row,
-                   const line_spot *spot, double alpha1, aspi_angles *angles) {
-  size_t at = row * field->columns + spot->face;
-  double gradient[2] = {field->p[at], field->q[at]}, tilt = atan(gradient[0]);
-  double speed = subject->law ? subject->speed : 1;
-  aspi_flight flight = {{spot->x, (double)row * field->step[1], spot->z},
-                        {speed * cos(alpha1), 0, -speed * sin(alpha1)}};
+/* One particle from its first hit on, along x (way 1) or against it (-1). */
+static void fly_on(const aspi_field *field, const surfaces *subject, size_t row,
+                   const line_spot *spot, int way, double alpha1, aspi_angles *angles) {
+  double last = (double)field->columns - 1, x = spot->x / field->step[0], length = last + 1;
+  double from_far = last - x < 0 ? last - x + length : last - x;
+  size_t at = way > 0 ? spot->face : (size_t)last - spot->face;
+  const float *point = field->z + 3 * (row * (size_t)field->columns + at);
+  double speed = subject->law ? subject->speed : 1, gradient[2] = {point[1], point[2]};
+  double v[3] = {way * speed * cos(alpha1), 0, -speed * sin(alpha1)};
+  aspi_spot place = {{way > 0 ? fmod(x, length) : from_far, (double)row}, spot->z, true};
+  double tilt = atan(way * gradient[0]);
   int hits = 0;
   do {
     if (!subject->law)
-      reflect(flight.v, gradient);
-    else if (!rebound(subject, flight.v, gradient))
+      reflect(v, gradient);
+    else if (!rebound(subject, v, gradient))
       return;
-  } while (++hits < HITS_MOST && aspi_dilated_map_next(field, &flight, gradient));
-  aspi_angles_add(angles, flight.v, tilt, hits);
+  } while (++hits < HITS_MOST && aspi_field_next(field, v, &place, gradient));
+  const double turned[3] = {way * v[0], way * v[1], v[2]};
+  aspi_angles_add(angles, turned, tilt, hits);
 }
 
 /* Places in the beam, one in each of `count` equal parts. */
@@ -60,7 +63,6 @@ static void draw_places(aspi_stream *stream, double *share, size_t count) {
     share[k] = ((double)k + aspi_stream_uniform(stream)) / (double)count;
 }
 
-/* All particles of one surface in the directions in which its rows lie. */
 /* The maximum of g over the period before the one that begins with face 0. */
 static double highest_before(const aspi_line *line, double fall) {
   double highest = -INFINITY, period = line->step * (double)line->n;
@@ -69,6 +71,27 @@ static double highest_before(const aspi_line *line, double fall) {
     highest = g > highest ? g : highest;
   }
   return highest;
+}
+
+void line_over_row(aspi_line *line, const aspi_field *field, size_t row, int way) {
+  ptrdiff_t n = (ptrdiff_t)line->n;
+  double step = line->step, sign = way;
+  const float *z = field->z + 3 * (row * line->n + (way > 0 ? 0 : line->n - 1)), *p = z + 1;
+  ptrdiff_t stride = 3 * way;
+  for (ptrdiff_t i = 0; i < n; i++) {
+    ptrdiff_t k = (i + 1 < n ? i + 1 : 0) * stride;
+    double here = z[i * stride], next = z[k], a = sign * p[i * stride], b = sign * p[k];
+    double over = next - b * step - here, bend = a - b;
+    /* The crossing of the tangents where it lies between the points, else the middle. */
+    double at = 0.5 * step, height = 0.5 * (here + next + 0.5 * step * bend);
+    if (over * bend > 0 && fabs(over) < fabs(bend) * step) {
+      at = over / bend;
+      height = here + a * at;
+    }
+    line->slope[i] = a;
+    line->end_x[i] = (double)i * step + at;
+    line->end_z[i] = height;
+  }
 }
 
 void line_hits(const aspi_line *line, double fall, const double *share, size_t count,
@@ -87,26 +110,28 @@ void line_hits(const aspi_line *line, double fall, const double *share, size_t c
     spots[k] = (line_spot){n - 1, line->end_x[n - 1], line->end_z[n - 1]};
 }
 
-static asp_code fly(const aspi_dilated_map *field, const surfaces *subject, const double *degrees,
-                    size_t count, uint32_t seed, aspi_angles *angles, asp_error *error) {
+/* All particles of one surface, along its rows. */
+static asp_code fly(const aspi_field *field, const surfaces *subject, int way,
+                    const double *degrees, size_t count, uint32_t seed, aspi_angles *angles,
+                    asp_error *error) {
   aspi_line line;
-  size_t per_row = (subject->rays / 2 + field->rows - 1) / field->rows;
-  asp_code code = aspi_line_create(&line, field->columns, field->step[0], error);
+  size_t lines = (size_t)field->rows, per_row = (subject->rays / 2 + lines - 1) / lines;
+  asp_code code = aspi_line_create(&line, (size_t)field->columns, field->step[0], error);
   if (code)
     return code;
   double *share = calloc(per_row, sizeof *share);
   line_spot *spots = calloc(per_row, sizeof *spots);
   if (!share || !spots)
     code = aspi_fail(error, ASP_ENOMEM, "out of memory for %zu flights a row", per_row);
-  for (size_t row = 0; row < field->rows && !code; row++) {
+  for (size_t row = 0; row < lines && !code; row++) {
     aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 1, .tag = row});
-    aspi_line_set(&line, field->z + row * field->columns, field->p + row * field->columns, 1);
+    line_over_row(&line, field, row, way);
     for (size_t i = 0; i < count; i++) {
       double alpha1 = aspi_radians(degrees[i]);
       draw_places(&stream, share, per_row);
       line_hits(&line, tan(alpha1), share, per_row, spots);
       for (size_t k = 0; k < per_row; k++)
-        fly_on(field, subject, row, &spots[k], alpha1, &angles[i]);
+        fly_on(field, subject, row, &spots[k], way, alpha1, &angles[i]);
     }
   }
   free(share);
@@ -126,33 +151,20 @@ static asp_map *generated(const surfaces *subject, uint32_t seed, asp_error *err
              : gauss_map_create(wall, step, subject->points, subject->points, seed, error);
 }
 
-/* The path of the sphere's center over one of the surfaces. */
-static asp_code make_field(aspi_dilated_map *field, const surfaces *subject, uint32_t seed,
-                           asp_error *error) {
-  asp_map *map = generated(subject, seed, error);
-  aspi_ball *ball = map ? aspi_ball_create(map, subject->d_p, error) : NULL;
-  asp_code code = ball ? aspi_dilated_map_create(field, map, error) : error->code;
-  if (!code) {
-    field->crests = subject->crests;
-    aspi_ball_rows(ball, 0, map->rows, field->z, field->p, field->q);
-    aspi_dilated_map_finish(field);
-  }
-  aspi_ball_free(ball);
-  asp_map_free(map);
-  return code;
-}
-
 static asp_code fly_both_ways(const surfaces *subject, uint32_t seed, const double *degrees,
                               size_t count, aspi_angles *angles, asp_error *error) {
-  aspi_dilated_map field;
-  asp_code code = make_field(&field, subject, seed, error);
-  if (code)
-    return code;
-  code = fly(&field, subject, degrees, count, seed, angles, error);
-  aspi_dilated_map_turn(&field);
+  asp_map *map = generated(subject, seed, error);
+  if (!map)
+    return error->code;
+  aspi_field field = {0};
+  const aspi_grid all = {1, {0, 0}, {map->columns, map->rows}};
+  asp_code code = aspi_field_over_map(&field, map, subject->d_p, &all, error);
+  asp_map_free(map);
   if (!code)
-    code = fly(&field, subject, degrees, count, ~seed, angles, error);
-  aspi_dilated_map_free(&field);
+    code = fly(&field, subject, 1, degrees, count, seed, angles, error);
+  if (!code)
+    code = fly(&field, subject, -1, degrees, count, ~seed, angles, error);
+  aspi_field_free(&field);
   return code;
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/judge.h"
 #include "gauss_map.h"
+#include "spread/flight.h"
 #include "spread/line.h"
 
 /* The surfaces, of `points` x `points` points, 20 a correlation length, and the rays over each. */
@@ -16,7 +17,6 @@ struct surfaces {
   double d_p;
   size_t groups, rays, points; /* points: a power of two */
   uint32_t seed;
-  bool crests; /* they have sharp ones; see dilated_map.h */
   /* A smooth wall with the law of each hit, for particles of this density and speed; those that
    * stick do not count as rebounds. NULL: hits are specular. */
   const asp_wall *law;
@@ -29,6 +29,12 @@ struct surfaces {
  * they leave. The judge has no first hits. */
 asp_code judge_in_space(aspi_judge *judge, const surfaces *subject, const double *degrees,
                         size_t count, asp_error *error);
+
+/* Sets a line of field->columns points to a row of a field with gradients, for flights along x (way
+ * 1) or against it (-1). The faces have the slopes of the contacts, not of the differences between
+ * points: two neighbors' tangents cross in between, on a smooth piece in the middle and at a kink
+ * where the kink is. */
+void line_over_row(aspi_line *line, const aspi_field *field, size_t row, int way);
 
 /* A place on a line. */
 typedef struct line_spot {

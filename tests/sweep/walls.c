@@ -1,5 +1,5 @@
 /* Walls whose heights are not Gaussian (a plateau with valleys, deposits, dents), measured as maps
- * and as profiles: the laws that are tabled from one map against independent ones, in three
+ * and as profiles: flights over one map against independent ones, in three
  * dimensions; and those of a profile against independent profiles, followed hit by hit. `walls` is
  * the test; `walls 4096 8` judges with maps of 4096 x 4096 points, 200 correlation lengths squared,
  * 8 of them, and `walls 4096 8 55` with particles of 55 um instead of 10.
@@ -172,7 +172,7 @@ static void judge_map(size_t points, size_t count, double d_p) {
   asp_map *map = asp_map_from_heights(asp_map_heights(periodic), points, points, step[0], step[1],
                                       false, &error);
   asp_surface *surface = asp_surface_create(R_Q, 39, &error);
-  asp_wall *wall = wall_of(surface, NULL, map, "profile", d_p);
+  asp_wall *wall = wall_of(surface, NULL, map, "traced", d_p);
   for (size_t i = 0; i < 3; i++) {
     aspi_angles m = fly(wall, d_p, angles[i], FLOWN);
     tell("map", angles[i], &all, i, &m, true);
@@ -204,18 +204,18 @@ static asp_profile *profile_of(size_t points, uint32_t seed) {
   return profile;
 }
 
-/* The profile's laws against `traced` on independent profiles, each a realization of its own. */
+/* Flights over a profile against those over independent profiles, each a realization of its own. */
 static void judge_profile(size_t points, size_t count, double d_p) {
   aspi_judge all = {count, 3, 1, calloc(3 * count, sizeof(aspi_angles)), NULL};
   asp_profile *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
-  asp_wall *wall = wall_of(surface, own, NULL, "profile", d_p);
+  asp_wall *wall = wall_of(surface, own, NULL, "traced", d_p);
   for (size_t k = 0; k < count; k++) {
     asp_profile *other = profile_of(points, 500 + (uint32_t)k);
-    asp_wall *traced = wall_of(surface, other, NULL, "traced", d_p);
+    asp_wall *judge = wall_of(surface, other, NULL, "traced", d_p);
     for (size_t i = 0; i < 3; i++)
-      all.angles[3 * k + i] = fly(traced, d_p, angles[i], RAYS);
-    asp_wall_free(traced);
+      all.angles[3 * k + i] = fly(judge, d_p, angles[i], RAYS);
+    asp_wall_free(judge);
     asp_profile_free(other);
   }
   for (size_t i = 0; i < 3; i++) {

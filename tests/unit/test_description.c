@@ -43,7 +43,7 @@ static void canonical_texts(void **state) {
              "collisions multiple rebound bons deposit freeze seed 1");
   check_text("surface profile 'my blade.csv' dp_bins 4 rebound bons soften 500C 0.001/K yield_rate "
              "3MPa/(m/s) temperature 800 spin on",
-             "surface profile \"my blade.csv\" dp_bins 4 spread profile isotropic collisions "
+             "surface profile \"my blade.csv\" dp_bins 4 spread traced isotropic collisions "
              "multiple rebound bons yield_rate 3000000 temperature 800 soften 773.15 0.001 spin on "
              "deposit freeze seed 1");
   check_text("yield_stress 200kPa erosion finnie 500kPa density 2000",
@@ -53,7 +53,7 @@ static void canonical_texts(void **state) {
       "surface map m.sdf lay 3 0 4 deposit freeze remove gas_density 1.2 gas_viscosity 1.5e-5 "
       "u_tau 2.5 yield_stress "
       "150MPa",
-      "surface map m.sdf lay 3 0 4 spread profile isotropic collisions multiple rebound bons "
+      "surface map m.sdf lay 3 0 4 spread traced isotropic collisions multiple rebound bons "
       "yield_stress 150000000 deposit freeze remove u_tau 2.5 gas_density 1.2 gas_viscosity "
       "1.5e-05 seed 1");
   check_text("deposit freeze remove gas_density 1.2 gas_viscosity 0.5 adhesion 0.01",
@@ -202,7 +202,7 @@ static void random_text(char *text) {
   add_surface(text, &rough, &measured);
   if (rough && whole(2)) {
     const char *model = asp_spread_name(asp_spread_at(1 + whole(asp_spread_count() - 1)));
-    add(text, " spread %s", model);
+    add(text, " spread %s", measured && strcmp(model, "profile") == 0 ? "traced" : model);
     add(text, "%s%s", whole(2) ? " plane" : "", whole(2) ? " collisions single" : "");
   }
   const asp_rebound_law *law = add_law(text);
@@ -369,6 +369,7 @@ static void bad_values_are_named(void **state) {
 
 static void what_has_no_effect_is_refused(void **state) {
   (void)state;
+  refuses("surface profile p.csv spread profile", "spread is 'profile'", "'spread traced'");
   refuses("rebound walton 0.9 0.3 0 surface_energy 1", "'surface_energy' has no effect", "walton");
   refuses("rebound walton 0.9 0.3 0 yield_stress 1", "'yield_stress' has no effect", "walton");
   refuses("rebound walton 0.9 0.3 0 friction 0.3", "'friction' has no effect", "MU");

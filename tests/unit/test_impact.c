@@ -224,7 +224,7 @@ static void grazing_to_the_last_bit(void **state) {
 /* No face lies exactly along a flight, where rounding would say if it is hit. */
 static void faces_are_hit_or_not(void **state) {
   (void)state;
-  setup s = setup_create("profile", "constant", 0.6);
+  setup s = setup_create("traced", "constant", 0.6);
   s.choice.multiple = true;
   remake(&s);
   const asp_particle one = {.d_p = 0.01, .density = 2650, .pair = &quartz_on_nickel};

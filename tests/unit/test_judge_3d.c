@@ -3,34 +3,31 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
-#include "dilated_map.h"
 #include "judge_3d.h"
+#include "spread/flight.h"
 #include "spread/line.h"
-#include "surface/ball.h"
 
 #include <stdlib.h>
 
 #define DEGREE (ASP_PI / 180)
 
-/* Bilinear, anywhere on the plane. */
-static double height_at(const aspi_dilated_map *f, double x, double y) {
-  double u = x / f->step[0], v = y / f->step[1], n = (double)f->columns, m = (double)f->rows;
+/* Bilinear, anywhere on the plane; u and v in points. */
+static double height_at(const aspi_field *f, double u, double v) {
+  double n = (double)f->columns, m = (double)f->rows;
   u -= n * floor(u / n);
   v -= m * floor(v / m);
-  size_t i = (size_t)u % f->columns, j = (size_t)v % f->rows;
-  size_t k = (i + 1) % f->columns, l = (j + 1) % f->rows;
+  ptrdiff_t i = (ptrdiff_t)u % f->columns, j = (ptrdiff_t)v % f->rows;
+  const float *one = f->z + 3 * f->columns * j, *two = f->z + 3 * f->columns * ((j + 1) % f->rows);
+  ptrdiff_t k = 3 * ((i + 1) % f->columns);
+  i *= 3;
   u -= floor(u);
   v -= floor(v);
-  return (1 - v) * ((1 - u) * f->z[j * f->columns + i] + u * f->z[j * f->columns + k]) +
-         v * ((1 - u) * f->z[l * f->columns + i] + u * f->z[l * f->columns + k]);
+  return (1 - v) * ((1 - u) * one[i] + u * one[k]) + v * ((1 - u) * two[i] + u * two[k]);
 }
 
-static void field_of(aspi_dilated_map *f, asp_map *map, double d_p) {
-  aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
-  assert_int_equal(aspi_dilated_map_create(f, map, NULL), ASP_OK);
-  aspi_ball_rows(ball, 0, map->rows, f->z, f->p, f->q);
-  aspi_dilated_map_finish(f);
-  aspi_ball_free(ball);
+static void field_of(aspi_field *f, asp_map *map, double d_p) {
+  const aspi_grid all = {1, {0, 0}, {map->columns, map->rows}};
+  assert_int_equal(aspi_field_over_map(f, map, d_p, &all, NULL), ASP_OK);
 }
 
 /* Flights that begin in the air, over a map whose sides are no powers of two, against small steps.
@@ -43,30 +40,31 @@ static void flights_end_where_small_steps_do(void **state) {
   map->rows = 97;
   for (size_t j = 0; j < map->rows; j++)
     memmove(map->heights + j * 101, map->heights + j * 128, 101 * sizeof *map->heights);
-  aspi_dilated_map f;
+  aspi_field f;
   field_of(&f, map, 0.4);
   int hits = 0;
   for (int k = 0; k < 400; k++) {
     double azimuth = 0.7 * k, rise = 0.35 * sin(1.3 * k) - 0.05, gradient[2];
-    aspi_flight flight = {{0.31 * k, 0.77 * k, 0}, {cos(azimuth), sin(azimuth), rise}}, begin;
-    flight.x[2] = height_at(&f, flight.x[0], flight.x[1]) + 0.15;
-    begin = flight;
-    bool found = aspi_dilated_map_next(&f, &flight, gradient);
+    const double v[3] = {cos(azimuth), sin(azimuth), rise};
+    aspi_spot spot = {{fmod(3.1 * k, 101), fmod(9.6 * k, 97)}, 0, false}, begin;
+    spot.z = height_at(&f, spot.x[0], spot.x[1]) + 0.15;
+    begin = spot;
+    bool found = aspi_field_next(&f, v, &spot, gradient);
     double t = 0, step = 2e-4;
     bool met = false;
     for (; !met && t < 60; t += met ? 0 : step)
-      met = begin.x[2] + t * rise <=
-            height_at(&f, begin.x[0] + t * begin.v[0], begin.x[1] + t * begin.v[1]);
+      met = begin.z + t * rise <=
+            height_at(&f, begin.x[0] + t * v[0] / f.step[0], begin.x[1] + t * v[1] / f.step[1]);
     assert_int_equal(found, met);
     hits += met;
     if (!met)
       continue;
-    assert_near(flight.x[2], begin.x[2] + t * rise, 2 * step);
-    assert_near(flight.x[2], height_at(&f, flight.x[0], flight.x[1]), 1e-5);
-    assert_true(flight.v[2] - gradient[0] * flight.v[0] - gradient[1] * flight.v[1] < 0);
+    assert_near(spot.z, begin.z + t * rise, 2 * step);
+    assert_near(spot.z, height_at(&f, spot.x[0], spot.x[1]), 1e-5);
+    assert_true(v[2] - gradient[0] * v[0] - gradient[1] * v[1] < 0);
   }
   assert_true(hits > 100 && hits < 390);
-  aspi_dilated_map_free(&f);
+  aspi_field_free(&f);
   asp_map_free(map);
 }
 
@@ -76,15 +74,15 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
   (void)state;
   gauss_wall wall = {0.2, 1, 1, 0};
   asp_map *map = gauss_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
-  aspi_dilated_map f;
+  aspi_field f;
   field_of(&f, map, 0.1);
   int hits = 0;
   for (int k = 0; k < 20000; k++) {
     double azimuth = 0.7 * k, gradient[2];
-    aspi_flight flight = {{0.31 * k, 0.77 * k, f.pyramid.top + 1e-4},
-                          {cos(azimuth), sin(azimuth), -0.1 - 1e-4 * k}};
-    while (aspi_dilated_map_next(&f, &flight, gradient)) {
-      double *v = flight.v, square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];
+    double v[3] = {cos(azimuth), sin(azimuth), -0.1 - 1e-4 * k};
+    aspi_spot spot = aspi_field_enter(&f, fmod(0.016 * k, 1), fmod(0.04 * k, 1));
+    while (aspi_field_next(&f, v, &spot, gradient)) {
+      double square = 1 + gradient[0] * gradient[0] + gradient[1] * gradient[1];
       double twice = 2 * (v[2] - v[0] * gradient[0] - v[1] * gradient[1]) / square;
       assert_true(twice < 0);
       v[0] += twice * gradient[0];
@@ -92,10 +90,10 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
       v[2] -= twice;
       hits++;
     }
-    assert_true(flight.v[2] > 0);
+    assert_true(v[2] > 0);
   }
   assert_true(hits > 21000);
-  aspi_dilated_map_free(&f);
+  aspi_field_free(&f);
   asp_map_free(map);
 }
 
@@ -104,10 +102,10 @@ static void first_hits_fill_the_beam(void **state) {
   (void)state;
   gauss_wall wall = {0.2, 1, 1, 0};
   asp_map *map = gauss_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
-  aspi_dilated_map f;
+  aspi_field f;
   field_of(&f, map, 2);
   aspi_line line;
-  assert_int_equal(aspi_line_create(&line, f.columns, f.step[0], NULL), ASP_OK);
+  assert_int_equal(aspi_line_create(&line, (size_t)f.columns, f.step[0], NULL), ASP_OK);
   enum { COUNT = 20000 };
   static double share[COUNT], weight[1024], count[1024];
   static line_spot spots[COUNT];
@@ -116,13 +114,14 @@ static void first_hits_fill_the_beam(void **state) {
   for (int way = -1; way < 2; way += 2) {
     double fall = 0.1, sum = 0, off = 0;
     memset(count, 0, sizeof count);
-    aspi_line_set(&line, f.z + 3 * 1024, f.p + 3 * 1024, way);
+    line_over_row(&line, &f, 3, way);
     aspi_line_first_hits(&line, fall, weight);
     line_hits(&line, fall, share, COUNT, spots);
     for (int k = 0; k < COUNT; k++) {
       count[spots[k].face] += 1. / COUNT;
-      double x = way > 0 ? spots[k].x : 1023 * f.step[0] - spots[k].x;
-      assert_near(spots[k].z, height_at(&f, x, 3 * f.step[1]), 2e-3);
+      double x = spots[k].x / f.step[0];
+      x = way > 0 ? x : 1023 - x;
+      assert_near(spots[k].z, height_at(&f, x, 3), 2e-3);
       assert_true(line.slope[spots[k].face] > -fall);
     }
     for (size_t i = 0; i < 1024; i++) {
@@ -133,7 +132,7 @@ static void first_hits_fill_the_beam(void **state) {
     assert_true(off < 2. / COUNT);
   }
   aspi_line_free(&line);
-  aspi_dilated_map_free(&f);
+  aspi_field_free(&f);
   asp_map_free(map);
 }
 
@@ -228,7 +227,6 @@ static void crests_are_hit_once(void **state) {
                       .rays = 4000,
                       .seed = 1,
                       .points = 512,
-                      .crests = true,
                       .make = ridges};
   aspi_judge all = judge_of(&subject, 2);
   double later = mean_of(&all, offsetof(aspi_angles, later)).value;

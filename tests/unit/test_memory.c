@@ -8,10 +8,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "gauss_map.h"
-#include "spread/map_table.h"
+#include "spread/flight.h"
 #include "spread/line.h"
 #include "wall/wall.h"
-#include "spread/trace.h"
 #include "surface/ball.h"
 #include "surface/closing.h"
 #include "surface/describe.h"
@@ -141,10 +140,12 @@ static asp_code slopes(asp_error *error) {
   return aspi_profile_slopes(profile, 20, ASP_CONTACT_DILATION, room, &count, error);
 }
 
-static asp_code track(asp_error *error) {
-  aspi_track *made = aspi_track_create(profile, 20, error);
-  aspi_track_free(made);
-  return code_of(made, error);
+static asp_code field(asp_error *error) {
+  aspi_field made;
+  asp_code code = aspi_field_over_profile(&made, profile, 20, error);
+  if (!code)
+    aspi_field_free(&made);
+  return code;
 }
 
 static asp_map *gauss_map(asp_error *error) {
@@ -194,19 +195,12 @@ static asp_code ball(asp_error *error) {
   return code_of(made, error);
 }
 
-/* Of a map, and all of it: lines over it and their laws. */
-static asp_code laws(asp_error *error) {
-  aspi_line_table *both[2];
-  aspi_ball *made = aspi_ball_create(gauss, 10, error);
-  if (!made)
-    return error->code;
-  asp_code code =
-      aspi_map_line_tables(made, gauss, 0.3, 1, 500, (const double[2]){1, 0.3}, both, error);
-  aspi_ball_free(made);
-  if (!code) {
-    aspi_line_table_free(both[0]);
-    aspi_line_table_free(both[1]);
-  }
+static asp_code field_over_map(asp_error *error) {
+  aspi_field made;
+  const aspi_grid all = {1, {0, 0}, {64, 64}};
+  asp_code code = aspi_field_over_map(&made, gauss, 10, &all, error);
+  if (!code)
+    aspi_field_free(&made);
   return code;
 }
 
@@ -418,7 +412,7 @@ int main(void) {
       {"dilation", dilate, true},
       {"closing", close_profile, true},
       {"slopes", slopes, true},
-      {"track", track, true},
+      {"field over a profile", field, true},
       {"map, SDF", read_sdf_map, true},
       {"map, matrix", read_matrix, true},
       {"map, triples", read_triples, true},
@@ -426,7 +420,7 @@ int main(void) {
       {"map described", described_map, true},
       {"sphere on a map", ball, true},
       {"line", line, true},
-      {"laws of a map", laws, true},
+      {"field over a map", field_over_map, true},
       {"surface of a map", map_surface, true},
       {"surface, closed form", closed_form, true},
       {"surface, table", size_table, true},

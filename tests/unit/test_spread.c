@@ -5,7 +5,6 @@
 #include "check.h"
 
 #include "spread/models.h"
-#include "spread/trace.h"
 #include "spread/weibull.h"
 
 #include <float.h>
@@ -28,7 +27,8 @@ static void *prepare(const asp_spread_model *model, double slope) {
     return NULL;
   asp_profile *profile = asp_profile_create(slope / sqrt(2), 1, 1 / 32., 8192, 3, NULL);
   aspi_sizes sizes = {0.1, 0.4, 3};
-  void *data = model->prepare(profile, &sizes, NULL);
+  const aspi_relief of = {.profile = profile};
+  void *data = model->prepare(&of, &sizes, NULL);
   asp_profile_free(profile);
   assert_non_null(data);
   return data;
@@ -64,12 +64,6 @@ static void for_all(void (*check)(const asp_spread_model *, const aspi_view *)) 
       view.d_p = 0.3;
       for (size_t a = 0; a < COUNT(angles); a++) {
         view.alpha1 = angles[a] * DEGREE;
-        check(model, &view);
-      }
-      bool has_data = view.data;
-      view.data = NULL; /* a Gaussian wall, of which there is no profile */
-      for (size_t a = 0; has_data && !model->generate && a < COUNT(angles); a++) {
-        view.alpha1 = angles[a] * DEGREE;
         view.kappa = 0.7 * (double)a;
         check(model, &view);
       }
@@ -93,13 +87,8 @@ static void fail_at(const asp_spread_model *model, const aspi_view *view, const 
   fail();
 }
 
-/* The table of a profile has steps in its density; its distribution is made of them. */
-static bool smooth(const asp_spread_model *model, const aspi_view *view) {
-  return model->density && !view->data;
-}
-
 static void check_density(const asp_spread_model *model, const aspi_view *view) {
-  if (!smooth(model, view))
+  if (!model->density)
     return;
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
   integrand of = {model, view};
@@ -113,7 +102,7 @@ static void check_density(const asp_spread_model *model, const aspi_view *view) 
       continue;
     gsl_integration_qags(&f, from, to, 1e-11, 1e-9, 1000, room, &share, &error);
     double should = model->distribution(view, to) - model->distribution(view, from);
-    if (!(fabs(share - should) < (model->prepare ? 1e-6 : 2e-9))) /* a table has nodes */
+    if (!(fabs(share - should) < (model->geometry ? 1e-6 : 2e-9))) /* a table has nodes */
       fail_at(model, view, "share of a bin", from, share, should);
   }
   gsl_integration_workspace_free(room);
@@ -142,7 +131,7 @@ static void check_quantile(const asp_spread_model *model, const aspi_view *view)
     double share = model->distribution(view, delta);
     /* near 90 degrees the last bit of delta is much in u */
     double bit = model->density(view, delta) * 4e-16;
-    if (smooth(model, view) && !(fabs(share - shares[i]) < 1e-9 + bit))
+    if (model->density && !(fabs(share - shares[i]) < 1e-9 + bit))
       fail_at(model, view, "distribution of quantile", shares[i], share, shares[i]);
   }
 }
@@ -389,54 +378,6 @@ static void grazing_upwards(void **state) {
   }
 }
 
-/* Between the sizes that a table is made for, its quantiles lie on a straight line; beyond them,
- * and at each of them, they are those of a table for that size alone. */
-static void tables_know_sizes(void **state) {
-  (void)state;
-  const asp_spread_model *model = asp_spread_find("profile", NULL);
-  asp_profile *profile = asp_profile_create(0.5, 1, 1 / 32., 4096, 3, NULL);
-  for (int bins = 1; bins <= 8; bins = bins < 4 ? bins + 1 : 2 * bins) {
-    const aspi_sizes sizes = {0.05 * bins, 4, bins}; /* few an octave, and many */
-    void *table = model->prepare(profile, &sizes, NULL);
-    double last = 0, last_d_p = 0;
-    for (int i = 0; i < bins; i++) {
-      double d_p = aspi_sizes_at(&sizes, i);
-      const aspi_sizes one = {d_p, d_p, 1};
-      void *alone = model->prepare(profile, &one, NULL);
-      aspi_view view = aspi_view_of(0.5, 0.3);
-      view.d_p = d_p;
-      view.data = alone;
-      double should = model->quantile(&view, 0.9), end = i == 0 ? d_p / 9 : 9 * d_p;
-      view.data = table;
-      assert_near(model->quantile(&view, 0.9), should, 1e-12);
-      for (double part = 0.001; i > 0 && part < 1; part += 0.333) {
-        view.d_p = last_d_p + part * (d_p - last_d_p);
-        assert_near(model->quantile(&view, 0.9), last + part * (should - last), 1e-12);
-      }
-      if (i == 0 || i == bins - 1) {
-        view.d_p = end;
-        assert_near(model->quantile(&view, 0.9), should, 1e-12);
-      }
-      last = should;
-      last_d_p = d_p;
-      model->release(alone);
-    }
-    model->release(table);
-  }
-  const aspi_sizes same = {1, 1, 4}, one = {1, 1, 1}; /* bins of one size */
-  void *table = model->prepare(profile, &same, NULL), *alone = model->prepare(profile, &one, NULL);
-  for (double d_p = 0.5; d_p < 3; d_p *= 2) {
-    aspi_view view = aspi_view_of(0.5, 0.3), other = view;
-    view.d_p = other.d_p = d_p;
-    view.data = table;
-    other.data = alone;
-    assert_near(model->quantile(&view, 0.9), model->quantile(&other, 0.9), 0);
-  }
-  model->release(table);
-  model->release(alone);
-  asp_profile_free(profile);
-}
-
 static void flat_walls_have_no_spread(void **state) {
   (void)state;
   for (int m = 0; m < asp_spread_count(); m++) {
@@ -486,7 +427,6 @@ int main(void) {
       cmocka_unit_test(weibull_keeps_its_digits),
       cmocka_unit_test(normal_laws_keep_their_digits),
       cmocka_unit_test(grazing_upwards),
-      cmocka_unit_test(tables_know_sizes),
       cmocka_unit_test(flat_walls_have_no_spread),
       cmocka_unit_test(unknown_names_list_what_there_is),
       cmocka_unit_test(models_describe_themselves),

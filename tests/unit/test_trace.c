@@ -4,8 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "analysis/judge.h"
+#include "spread/flight.h"
 #include "spread/line.h"
-#include "spread/line_table.h"
 #include "wall/wall.h"
 #include "surface/closing.h"
 #include "surface/profile.h"
@@ -88,35 +88,47 @@ static void first_hits_agree_with_brute_force(void **state) {
   asp_profile_free(profile);
 }
 
+static aspi_field field_over(const asp_profile *profile, double d_p) {
+  aspi_field field;
+  assert_int_equal(aspi_field_over_profile(&field, profile, d_p, NULL), ASP_OK);
+  return field;
+}
+
+/* Flies on at that elevation; `way` 1 or -1. */
+static bool fly(const aspi_field *field, double elevation, int way, aspi_spot *spot,
+                double *delta) {
+  double gradient[2], v[3] = {way * cos(elevation), 0, sin(elevation)};
+  bool hit = aspi_field_next(field, v, spot, gradient);
+  *delta = atan(way * gradient[0]);
+  return hit;
+}
+
 static void paths_agree_with_brute_force(void **state) {
   (void)state;
   asp_profile *profile = asp_profile_create(0.3, 1, 1 / 16., 512, 6, NULL);
-  aspi_track *track = aspi_track_create(profile, 0.3, NULL);
+  aspi_field field = field_over(profile, 0.3);
   aspi_line line = line_over(profile, 0.3);
   size_t n = line.n;
-  double *h = malloc(n * sizeof *h), zero;
+  double *h = malloc(n * sizeof *h);
   for (size_t i = 0; i < n; i++)
     h[i] = heights_of_one(&line, i);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  aspi_path path;
-  aspi_track_enter(track, 0.5, &path);
-  aspi_track_next(track, ASP_PI / 2, &path, &zero);
-  double shift = path.z - h[path.face] - (path.x - (double)path.face) * line.slope[path.face];
+  double shift = field.z[0] - h[0];
   for (int i = 0; i < 5000; i++) {
     double delta, alpha = 0.2 + 1.3 * gsl_rng_uniform(rng);
-    aspi_track_enter(track, gsl_rng_uniform_pos(rng), &path);
-    assert_true(aspi_track_next(track, alpha, &path, &delta));
-    size_t own = path.face;
-    double rise = alpha + 2 * delta, z = path.z - shift, x = path.x;
+    aspi_spot spot = aspi_field_enter(&field, gsl_rng_uniform(rng), 0);
+    assert_true(fly(&field, -alpha, 1, &spot, &delta));
+    size_t own = (size_t)spot.x[0];
+    double rise = alpha + 2 * delta, z = spot.z - shift, x = spot.x[0];
     if (!(fabs(rise) < 1.5))
       continue; /* flies back, which the mirror image covers below */
-    bool hits = aspi_track_next(track, -rise, &path, &delta);
+    bool hits = fly(&field, rise, 1, &spot, &delta);
     size_t should = brute(&line, h, x, z, tan(rise), own);
-    assert_int_equal(hits ? path.face : n, should);
+    assert_int_equal(hits ? (size_t)spot.x[0] : n, should);
   }
   gsl_rng_free(rng);
   free(h);
-  aspi_track_free(track);
+  aspi_field_free(&field);
   aspi_line_free(&line);
   asp_profile_free(profile);
 }
@@ -130,24 +142,21 @@ static void flights_back_are_flights_over_the_mirror_image(void **state) {
   for (int i = 0; i < N; i++)
     mirrored[i] = asp_profile_heights(there)[N - 1 - i];
   asp_profile *back = asp_profile_from_heights(mirrored, N, 1 / 16., true, NULL);
-  aspi_track *one = aspi_track_create(there, 0, NULL), *other = aspi_track_create(back, 0, NULL);
+  aspi_field one = field_over(there, 0), other = field_over(back, 0);
   for (int i = 0; i < 2000; i++) {
-    aspi_path a, b;
     double da, db, alpha = 0.02 + 0.0007 * i;
-    aspi_track_enter(one, 0.3, &a);
-    aspi_track_next(one, alpha, &a, &da);
-    a.back = true;
+    aspi_spot a = aspi_field_enter(&one, 0.3, 0), b;
+    fly(&one, -alpha, 1, &a, &da);
     b = a;
-    b.back = false;
-    b.x = N - 1 - a.x < 0 ? 2 * N - 1 - a.x : N - 1 - a.x;
-    b.face = (2 * N - 2 - a.face) % N;
-    bool hit = aspi_track_next(one, -0.1 + 0.0002 * i, &a, &da);
-    assert_int_equal(hit, aspi_track_next(other, -0.1 + 0.0002 * i, &b, &db));
+    b.x[0] = N - 1 - a.x[0] < 0 ? 2 * N - 1 - a.x[0] : N - 1 - a.x[0];
+    b.z += other.top - one.top;
+    bool hit = fly(&one, -0.1 + 0.0002 * i, -1, &a, &da);
+    assert_int_equal(hit, fly(&other, -0.1 + 0.0002 * i, 1, &b, &db));
     if (hit)
-      assert_near(da, db, 1e-9);
+      assert_near(da, db, 1e-5);
   }
-  aspi_track_free(one);
-  aspi_track_free(other);
+  aspi_field_free(&one);
+  aspi_field_free(&other);
   asp_profile_free(there);
   asp_profile_free(back);
 }
@@ -175,40 +184,6 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   }
   aspi_judge_free(&judge);
   aspi_judge_walls_free(&walls);
-}
-
-/* At the nodes the table is exact; between them its D_KL is below 0.002. */
-static void tables_are_the_first_hits_of_the_line(void **state) {
-  (void)state;
-  const asp_spread_model *model = asp_spread_find("profile", NULL);
-  asp_profile *profile = asp_profile_create(0.125, 1, 1 / 128., 131072, 1, NULL);
-  aspi_sizes sizes = {0.25, 0.25, 1};
-  void *table = model->prepare(profile, &sizes, NULL);
-  aspi_line line = line_over(profile, 0.25);
-  size_t n = line.n;
-  double *weight = malloc(n * sizeof *weight);
-  for (double k = 10; k < 63; k += 2.25) { /* nodes, and a quarter, half, three quarters between */
-    double alpha1 = ASP_PI / 2 * k * k / (63 * 63), kl = 0, most = 0, share[181] = {0};
-    aspi_view view = {
-        .slope = 0.17, .sigma = atan(0.17), .alpha1 = alpha1, .d_p = 0.25, .data = table};
-    weigh(&line, alpha1, weight);
-    for (size_t i = 0; i < n; i++)
-      share[(int)floor(atan(line.slope[i]) / DEGREE) + 90] += weight[i];
-    for (int i = 0; i < 180; i++) {
-      double p = model->distribution(&view, (i - 89) * DEGREE) -
-                 model->distribution(&view, (i - 90) * DEGREE);
-      if (share[i] > 0)
-        kl += share[i] * log(share[i] / fmax(p, 1e-6));
-      most = fmax(most, fabs(p - share[i]));
-    }
-    assert_true(kl < 0.002);
-    if (fmod(k, 1) < 1e-9)
-      assert_true(most < 2. / 512);
-  }
-  free(weight);
-  aspi_line_free(&line);
-  model->release(table);
-  asp_profile_free(profile);
 }
 
 /* The path of a disc's center over a smooth profile, from few points, against the dilation of the
@@ -280,8 +255,8 @@ static double divergence(const double *of, const double *from, int bins) {
 /* Angles at which few points across a particle are compared with many. */
 static const double few[] = {2, 10, 40};
 
-/* Few points across a particle, against the dilation of very many: no comb of tilts, neither where
- * particles fly nor in the table of `profile`, and the same slope. */
+/* Few points across a particle, against the dilation of very many: no comb of tilts, and the
+ * same slope. */
 static void compare_few(double lambda_c, int across, double reference[3][180], double slope) {
   asp_profile *measured = plateau(lambda_c, across);
   asp_surface *surface = asp_surface_create_profile(measured, 1, 1, 1, NULL);
@@ -405,14 +380,15 @@ static void bad_sizes_are_named(void **state) {
   asp_profile *profile = asp_profile_create(0.1, 1, 1 / 16., 1024, 1, NULL);
   static const aspi_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
                                    {1, NAN, 2}, {1, 2, 0},   {1, 2, 100000}};
-  for (int m = 0; m < asp_spread_count(); m++)
-    for (size_t i = 0; asp_spread_at(m)->prepare && i < sizeof bad / sizeof *bad; i++) {
-      assert_null(asp_spread_at(m)->prepare(profile, &bad[i], &error));
-      assert_int_equal(error.code, ASP_EARG);
-      assert_non_null(strstr(error.text, "d_p"));
-    }
-  assert_null(aspi_track_create(profile, -1, &error));
-  assert_null(aspi_track_create(profile, 1e9, &error));
+  const aspi_relief of = {.profile = profile};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    assert_null(aspi_spread_traced.prepare(&of, &bad[i], &error));
+    assert_int_equal(error.code, ASP_EARG);
+    assert_non_null(strstr(error.text, "d_p"));
+  }
+  aspi_field field;
+  assert_int_equal(aspi_field_over_profile(&field, profile, -1, &error), ASP_EARG);
+  assert_int_equal(aspi_field_over_profile(&field, profile, 1e9, &error), ASP_EARG);
   asp_profile_free(profile);
 }
 
@@ -431,41 +407,18 @@ static void measured_profiles(void **state) {
   asp_profile_free(profile);
 }
 
-/* A groove of two faces fills two of the bins of steepness; the empty ones, the first one too, take
- * their neighbor's horizons, and nothing leaves right against the other face. */
-static void empty_bins_take_their_neighbors(void **state) {
-  (void)state;
-  aspi_line line;
-  assert_int_equal(aspi_line_create(&line, 2, 1, NULL), ASP_OK);
-  for (int i = 0; i < 2; i++) {
-    line.slope[i] = i ? 1 : -1;
-    line.end_x[i] = i + 1;
-    line.end_z[i] = i;
-  }
-  aspi_line_table *table = aspi_line_table_create(&line, NULL, NULL);
-  assert_non_null(table);
-  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 1});
-  int face_class = aspi_line_table_class(80 * DEGREE, &stream);
-  for (int i = 0; i < 100; i++)
-    assert_false(aspi_line_table_escapes(table, face_class, -1.1, 0.05, false, &stream));
-  aspi_line_table_free(table);
-  aspi_line_free(&line);
-}
-
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(first_hits_agree_with_brute_force),
       cmocka_unit_test(paths_agree_with_brute_force),
       cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
       cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
-      cmocka_unit_test(tables_are_the_first_hits_of_the_line),
       cmocka_unit_test(discs_roll_over_curves),
       cmocka_unit_test(few_points_across_are_enough),
       cmocka_unit_test(few_points_across_judge_as_many),
       cmocka_unit_test(ensembles_agree_with_their_table),
       cmocka_unit_test(bad_sizes_are_named),
       cmocka_unit_test(measured_profiles),
-      cmocka_unit_test(empty_bins_take_their_neighbors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

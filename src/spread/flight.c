@@ -1,0 +1,380 @@
+/* Flights over a dilated wall: the center of the particle flies straight. A flight skips blocks of
+ * cells whose maximum lies below it, in growing steps while nothing is in reach.
+ *
+ * A map that does not repeat ends at its edges. A flight that leaves there goes on at the other
+ * edge, shifted along it to a place that lies below the flight: statistics and lay of the wall stay
+ * as they are, which a mirror image would turn.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spread/flight.h"
+#include "base/error.h"
+#include "spread/line.h"
+#include "surface/ball.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* A flight that has passed this many blocks is lost; a sinking flight passes far fewer. */
+enum { BLOCKS_MOST = 100000 };
+
+/* The gradient of a contact differs from that of the surface between the points, so a face may send
+ * a particle slightly into its neighbor. After 2 cells below the surface it counts as a hit. */
+enum { UNDER_MOST = 2 };
+
+/* Slower flights along an axis stay where they are. */
+#define SLOWEST 1e-200
+
+/* Places along an edge that are tried one after the other; multiples of the golden section modulo 1
+ * spread evenly. */
+enum { SHIFTS_MOST = 64 };
+#define GOLDEN 0.6180339887498949
+
+/* Point k along a side of n; the last cell of a side that repeats ends at the first point. */
+static ptrdiff_t next_of(ptrdiff_t k, ptrdiff_t n) {
+  return k + 1 < n ? k + 1 : 0;
+}
+
+/* A cell: its first corner, and the points and heights of all corners. */
+typedef struct cell {
+  double at[2];
+  const float *point[4];
+  double z[4];
+} cell;
+
+static cell cell_at(const aspi_field *f, const ptrdiff_t at[2]) {
+  const float *one = f->z + f->stride * f->columns * at[1];
+  const float *two = f->z + f->stride * f->columns * next_of(at[1], f->rows);
+  ptrdiff_t i = f->stride * at[0], k = f->stride * next_of(at[0], f->columns);
+  cell c = {{(double)at[0], (double)at[1]}, {one + i, one + k, two + i, two + k}, {0}};
+  for (int a = 0; a < 4; a++)
+    c.z[a] = *c.point[a];
+  return c;
+}
+
+/* ---- making ---- */
+
+/* Lays out the maxima; returns how many there are. */
+static size_t lay_out(aspi_field *f, float *room) {
+  ptrdiff_t columns = f->columns, rows = f->rows;
+  size_t used = 0;
+  f->tile = rows > 1 ? 16 : 4;
+  f->levels = 0;
+  do {
+    aspi_tops *at = &f->level[f->levels++];
+    columns = (columns + 3) / 4;
+    rows = (rows + 3) / 4;
+    *at = (aspi_tops){columns, columns * rows, room + used};
+    used += (size_t)(at->tiles * f->tile);
+  } while (columns > 1 || rows > 1);
+  return used;
+}
+
+static asp_code create(aspi_field *f, size_t columns, size_t rows, size_t stride,
+                       asp_error *error) {
+  *f = (aspi_field){
+      .columns = (ptrdiff_t)columns, .rows = (ptrdiff_t)rows, .stride = (ptrdiff_t)stride};
+  float none;
+  size_t count = stride * columns * rows + lay_out(f, &none);
+  f->z = count <= SIZE_MAX / sizeof(float) ? malloc(count * sizeof(float)) : NULL;
+  if (!f->z)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a dilated wall of %zu x %zu points",
+                     columns, rows);
+  lay_out(f, f->z + stride * columns * rows);
+  return ASP_OK;
+}
+
+void aspi_field_free(aspi_field *f) {
+  free(f->z);
+}
+
+/* The maximum over a block of cells. */
+static inline float *top_of(const aspi_field *f, int level, ptrdiff_t i, ptrdiff_t j) {
+  const aspi_tops *of = &f->level[level];
+  return of->most + ((j >> 2) * of->across + (i >> 2)) * f->tile + 4 * (j & 3) + (i & 3);
+}
+
+/* Fills in the maxima over blocks from those of the cells. */
+static void fill_tops(aspi_field *f) {
+  for (int k = 0; k < f->levels; k++)
+    for (ptrdiff_t n = 0; n < f->level[k].tiles; n++) {
+      const float *tile = f->level[k].most + n * f->tile;
+      float most = tile[0];
+      for (ptrdiff_t i = 1; i < f->tile; i++)
+        most = aspi_larger_float(most, tile[i]);
+      if (k + 1 < f->levels)
+        *top_of(f, k + 1, n % f->level[k].across, n / f->level[k].across) = most;
+      else
+        f->top = most;
+    }
+}
+
+/* Fills in what follows from the heights. */
+static void finish(aspi_field *f) {
+  double mean = 0, square = 0, n = (double)(f->columns * f->rows);
+  const aspi_tops *last = &f->level[f->levels - 1];
+  for (float *top = f->level[0].most; top < last->most + last->tiles * f->tile; top++)
+    *top = -FLT_MAX;
+  f->cells[0] = f->columns - !f->wraps;
+  f->cells[1] = f->rows - !f->wraps;
+  f->bottom = INFINITY;
+  for (ptrdiff_t j = 0; j < f->rows; j++)
+    for (ptrdiff_t i = 0; i < f->columns; i++) {
+      cell c = cell_at(f, (const ptrdiff_t[2]){i, j});
+      if (i < f->cells[0] && j < f->cells[1])
+        *top_of(f, 0, i, j) = (float)fmax(fmax(c.z[0], c.z[1]), fmax(c.z[2], c.z[3]));
+      f->bottom = fmin(f->bottom, c.z[0]);
+      mean += c.z[0] / n;
+      square += c.z[0] * c.z[0] / n;
+    }
+  f->bottom -= f->step[0]; /* clearly below */
+  f->fall_least = ASPI_RISE_LEAST * sqrt(fmax(0, square - mean * mean)) / (n * f->step[0]);
+  fill_tops(f);
+}
+
+asp_code aspi_field_over_profile(aspi_field *f, const asp_profile *profile, double d_p,
+                                 asp_error *error) {
+  aspi_line line;
+  asp_code code = aspi_line_over_profile(&line, profile, d_p, error);
+  if (code)
+    return code;
+  code = create(f, line.n, 1, 1, error);
+  if (!code) {
+    f->step[0] = f->step[1] = line.step;
+    f->wraps = true;
+    for (size_t i = 0; i < line.n; i++) /* relative to one of them, for the digits */
+      f->z[i] = (float)(line.end_z[i > 0 ? i - 1 : line.n - 1] - line.end_z[0]);
+    finish(f);
+  }
+  aspi_line_free(&line);
+  return code;
+}
+
+asp_code aspi_field_over_map(aspi_field *f, const asp_map *map, double d_p, const aspi_grid *g,
+                             asp_error *error) {
+  aspi_ball *ball = aspi_ball_create(map, d_p, error);
+  asp_code code = ball ? create(f, g->count[0], g->count[1], 3, error) : ASP_ENOMEM;
+  if (!code) {
+    double dx = map->step[0], dy = map->step[1], stride = (double)g->stride;
+    f->step[0] = dx * stride;
+    f->step[1] = dy * stride;
+    f->wraps = map->periodic && g->count[0] == map->columns && g->count[1] == map->rows;
+    for (ptrdiff_t j = 0; j < f->rows; j++) {
+      aspi_ball_search search = aspi_ball_begin(ball);
+      for (ptrdiff_t i = 0; i < f->columns; i++) {
+        aspi_touch touch = aspi_ball_at(&search, ((double)g->first[0] + stride * (double)i) * dx,
+                                        ((double)g->first[1] + stride * (double)j) * dy);
+        float *point = f->z + f->stride * (j * f->columns + i);
+        point[0] = (float)touch.height;
+        point[1] = (float)touch.p;
+        point[2] = (float)touch.q;
+      }
+    }
+    finish(f);
+  }
+  aspi_ball_free(ball);
+  return code;
+}
+
+/* ---- flying ---- */
+
+static double bilinear(const double z[4], double u, double v) {
+  return (1 - v) * ((1 - u) * z[0] + u * z[1]) + v * ((1 - u) * z[2] + u * z[3]);
+}
+
+/* A flight in units of cells along the field: its parameter is the time t. */
+typedef struct ray {
+  double x[3], v[3];
+} ray;
+
+static double along(const ray *r, int axis, double t) {
+  return r->x[axis] + t * r->v[axis];
+}
+
+/* Height of the flight over the surface of a cell. */
+static double over(const ray *r, const cell *c, double t) {
+  return along(r, 2, t) - bilinear(c->z, along(r, 0, t) - c->at[0], along(r, 1, t) - c->at[1]);
+}
+
+/* The exact time between t[0] and t[1] at which the flight meets the surface of a cell: over() is a
+ * parabola. False if it does not come from above. */
+static bool meets(const ray *r, const cell *c, const double t[2], double *at) {
+  double a = over(r, c, t[0]), b = over(r, c, t[1]), m = over(r, c, 0.5 * (t[0] + t[1]));
+  double curve = 2 * (a + b - 2 * m), slope = b - a - curve;
+  if (a <= 0) { /* below the surface already: a hit at the edge if it still sinks */
+    *at = t[0];
+    return slope < 0;
+  }
+  /* a + slope s + curve s^2 = 0, the smaller root between 0 and 1. */
+  double square = slope * slope - 4 * a * curve;
+  if (b > 0 && !(curve > 0 && slope < 0 && slope > -2 * curve && square > 0))
+    return false;
+  double s = 2 * a / (-slope + sqrt(fmax(0, square)));
+  if (!(s >= 0 && s <= 1))
+    return false;
+  *at = t[0] + s * (t[1] - t[0]);
+  return true;
+}
+
+static bool approaches(const double way[3], const double gradient[2]) {
+  return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
+}
+
+/* The gradient at a place of a cell: that of the contacts at its corners, interpolated, if the
+ * particle approaches it; else that of the surface. */
+static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
+                        double gradient[2]) {
+  gradient[0] = ((1 - v) * (c->z[1] - c->z[0]) + v * (c->z[3] - c->z[2])) / f->step[0];
+  gradient[1] = ((1 - u) * (c->z[2] - c->z[0]) + u * (c->z[3] - c->z[1])) / f->step[1];
+  if (!aspi_field_has_gradients(f))
+    return;
+  double p[4], q[4];
+  for (int k = 0; k < 4; k++) {
+    p[k] = c->point[k][1];
+    q[k] = c->point[k][2];
+  }
+  const double contact[2] = {bilinear(p, u, v), bilinear(q, u, v)};
+  if (approaches(way, contact)) {
+    gradient[0] = contact[0];
+    gradient[1] = contact[1];
+  }
+}
+
+aspi_spot aspi_field_enter(const aspi_field *f, double u, double v) {
+  return (aspi_spot){{u * (double)f->cells[0], v * (double)f->cells[1]}, f->top, false};
+}
+
+static ptrdiff_t clamped(double x, ptrdiff_t first, ptrdiff_t end) {
+  ptrdiff_t i = (ptrdiff_t)x;
+  return i < first ? first : i < end ? i : end - 1;
+}
+
+/* Continues a flight that has left the field along an axis at the opposite edge. */
+static void reenter(const aspi_field *f, ray *r, double t, int axis, ptrdiff_t at[2]) {
+  ptrdiff_t n = f->cells[axis], m = f->cells[!axis];
+  double width = (double)m, y = along(r, !axis, t);
+  r->x[axis] += at[axis] < 0 ? (double)n : -(double)n;
+  at[axis] = at[axis] < 0 ? n - 1 : 0;
+  for (int k = 0; !f->wraps && k < SHIFTS_MOST; k++) {
+    y += GOLDEN * width;
+    y = y < width ? y : y - width;
+    at[!axis] = clamped(y, 0, m);
+    if (*top_of(f, 0, at[0], at[1]) < along(r, 2, t))
+      break;
+  }
+  r->x[!axis] = y - t * r->v[!axis];
+}
+
+/* The blocks of cells along a flight. */
+typedef struct walk {
+  ray r;
+  double inverse[2], t; /* 1/v; the time */
+  bool ahead[2];        /* v is not negative */
+  ptrdiff_t at[2];      /* the cell at that time */
+  int level;            /* of the blocks */
+  int axis;             /* along which the flight leaves the block */
+  ptrdiff_t end[2][2];  /* first and behind the last cell of the block */
+  double last;          /* the time when it leaves */
+  double most;          /* a time when it has left the wall, or is below it */
+} walk;
+
+/* Looks for the end of the block around the cell. */
+static void find_end(const aspi_field *f, walk *w) {
+  int shift = 2 * w->level;
+  double out[2];
+  for (int a = 0; a < 2; a++) {
+    ptrdiff_t first = w->at[a] >> shift << shift, end = first + ((ptrdiff_t)1 << shift);
+    w->end[a][0] = first;
+    w->end[a][1] = end < f->cells[a] ? end : f->cells[a];
+    out[a] = ((double)w->end[a][w->ahead[a]] - w->r.x[a]) * w->inverse[a];
+  }
+  w->axis = out[1] < out[0];
+  double last = out[w->axis] < w->most ? out[w->axis] : w->most;
+  w->last = last > w->t ? last : w->t;
+}
+
+/* Enters the next block; a larger one if it is in another block of the next level. */
+static void leave(const aspi_field *f, walk *w) {
+  int a = w->axis, b = !a;
+  int larger = 2 * w->level + 2;
+  ptrdiff_t from = w->at[a] >> larger;
+  w->t = w->last;
+  w->at[a] = w->end[a][w->ahead[a]] - !w->ahead[a];
+  w->at[b] = clamped(along(&w->r, b, w->t), w->end[b][0], w->end[b][1]);
+  if ((size_t)w->at[a] >= (size_t)f->cells[a])
+    reenter(f, &w->r, w->t, a, w->at);
+  if (w->level + 1 < f->levels && w->at[a] >> larger != from)
+    w->level++;
+}
+
+/* Puts the particle on the surface where it hits at time t, and sets the gradient there. */
+static void land(const aspi_field *f, const walk *w, const cell *c, double t, const double way[3],
+                 aspi_spot *spot, double gradient[2]) {
+  for (int a = 0; a < 2; a++)
+    spot->x[a] = fmin(fmax(along(&w->r, a, t), c->at[a]), c->at[a] + 1);
+  double u = spot->x[0] - c->at[0], v = spot->x[1] - c->at[1];
+  spot->z = bilinear(c->z, u, v);
+  spot->lies = true;
+  gradient_at(f, c, u, v, way, gradient);
+}
+
+/* True if the flight hits the surface of its cell, or has gone under it, also where it flies down
+ * so steeply into the face that it starts from that it never leaves it. clear: it has been over
+ * the surface since it started; under: cells that it has left below the surface until then. */
+static bool hits(const aspi_field *f, const walk *w, const double way[3], bool *clear, int *under,
+                 aspi_spot *spot, double gradient[2]) {
+  cell c = cell_at(f, w->at);
+  double span[2] = {w->t, w->last}, at = w->t;
+  bool met = *clear && meets(&w->r, &c, span, &at), below_all = way[2] < 0 && w->last >= w->most;
+  if (met || below_all) {
+    land(f, w, &c, at, way, spot, gradient);
+    return true;
+  }
+  bool above = over(&w->r, &c, w->last) > 0;
+  if (!*clear && !above) {
+    aspi_spot below = *spot;
+    land(f, w, &c, w->last, way, &below, gradient);
+    if (approaches(way, gradient) && ++*under == UNDER_MOST) {
+      *spot = below;
+      return true;
+    }
+  }
+  *clear = *clear || above || !aspi_field_has_gradients(f);
+  return false;
+}
+
+bool aspi_field_next(const aspi_field *f, const double way[3], aspi_spot *spot,
+                     double gradient[2]) {
+  walk w = {
+      .r = {{spot->x[0], spot->x[1], spot->z}, {way[0] / f->step[0], way[1] / f->step[1], way[2]}},
+      .level = spot->lies ? 0 : f->levels - 1};
+  for (int a = 0; a < 2; a++) {
+    w.ahead[a] = w.r.v[a] >= 0;
+    w.inverse[a] = 1 / (fabs(w.r.v[a]) > SLOWEST ? w.r.v[a] : SLOWEST);
+    w.at[a] = clamped(spot->x[a], 0, f->cells[a]);
+  }
+  double rise = way[2] < 0 ? f->bottom - spot->z : f->top - spot->z;
+  w.most = fabs(way[2]) > SLOWEST ? fmax(rise / way[2], 0) : INFINITY;
+  bool clear = !spot->lies;
+  int under = 0;
+  for (int count = 0; count < BLOCKS_MOST; count++) {
+    if (way[2] > 0 && w.t >= w.most)
+      return false;
+    int shift = 2 * w.level;
+    double top = *top_of(f, w.level, w.at[0] >> shift, w.at[1] >> shift);
+    bool passes = along(&w.r, 2, w.t) > top;
+    if (passes || w.level == 0) {
+      find_end(f, &w);
+      passes = passes && (way[2] >= 0 || along(&w.r, 2, w.last) > top);
+    }
+    if (!passes && w.level > 0) {
+      w.level--;
+      continue;
+    }
+    clear = clear || passes;
+    if (!passes && hits(f, &w, way, &clear, &under, spot, gradient))
+      return true;
+    leave(f, &w);
+  }
+  return false;
+}
