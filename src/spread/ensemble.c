@@ -3,7 +3,7 @@
  * tan(alpha1)/s_eff, kappa and phi_r. Interpolation is by a cubic through four nodes in z (Catmull
  * & Rom 1974), which is monotone here, and linear in a/(1 + a), log2(1 + 8 kappa) and phi_r. Below
  * the first node x + a falls exponentially with z; above the last one x is linear in z, as for a
- * normal distribution.
+ * normal distribution. Particles that fly up follow `visible`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/ensemble.h"
@@ -100,7 +100,9 @@ static double slope_at(const variate *w, double z, double *rise) {
   return cubic(y, at - i, rise);
 }
 
-double aspi_ensemble_quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_view *view, double u) {
+  if (view->alpha1 < 0)
+    return aspi_spread_visible.quantile(view, u);
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   variate w = variate_at(view);
@@ -118,7 +120,9 @@ static double z_of(const variate *w, double x) {
   return 0.5 * (low + high);
 }
 
-double aspi_ensemble_distribution(const aspi_view *view, double delta) {
+static double distribution(const aspi_view *view, double delta) {
+  if (view->alpha1 < 0)
+    return aspi_spread_visible.distribution(view, delta);
   if (delta <= -view->alpha1 || delta <= -ASP_DELTA_MOST)
     return 0;
   if (delta >= ASP_DELTA_MOST)
@@ -127,7 +131,9 @@ double aspi_ensemble_distribution(const aspi_view *view, double delta) {
   return aspi_gauss_below(z_of(&w, tan(delta) / view->slope));
 }
 
-double aspi_ensemble_density(const aspi_view *view, double delta) {
+static double density(const aspi_view *view, double delta) {
+  if (view->alpha1 < 0)
+    return aspi_spread_visible.density(view, delta);
   if (delta <= -view->alpha1 || fabs(delta) >= ASP_DELTA_MOST)
     return 0;
   variate w = variate_at(view);
@@ -135,3 +141,14 @@ double aspi_ensemble_density(const aspi_view *view, double delta) {
   slope_at(&w, z, &rise);
   return rise > 0 ? aspi_gauss_density(z) / rise * (1 + p * p) / view->slope : 0;
 }
+
+const asp_spread_model aspi_spread_profile = {
+    .name = "profile",
+    .summary = "first hits from a table of generated Gaussian walls",
+    .source = "geometry, derived for this project",
+    .geometry = true,
+    .upward = true,
+    .density = density,
+    .distribution = distribution,
+    .quantile = quantile,
+};

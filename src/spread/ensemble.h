@@ -1,5 +1,5 @@
-/* First hits on a Gaussian wall: a table over a = tan(alpha1)/s_eff, kappa and phi_r from an
- * ensemble of profiles (tests/sweep/make_first_hits.c). Needs no set-up.
+/* First hits on a Gaussian wall, the model `profile`: a table over a = tan(alpha1)/s_eff, kappa and
+ * phi_r from an ensemble of profiles (tests/sweep/make_first_hits.c). Needs no set-up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_ENSEMBLE_H
@@ -34,10 +34,5 @@ static inline double aspi_ensemble_kappa(int node) {
 static inline double aspi_ensemble_z(int node) {
   return 0.25 * (node - (ASP_ENSEMBLE_ZS - 1) / 2);
 }
-
-/* Quantile for a view with alpha1 >= 0, by its slope, kappa and phi_r. */
-double aspi_ensemble_quantile(const aspi_view *view, double u);
-double aspi_ensemble_distribution(const aspi_view *view, double delta);
-double aspi_ensemble_density(const aspi_view *view, double delta);
 
 #endif

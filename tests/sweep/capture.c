@@ -2,7 +2,7 @@
  * are followed over generated surfaces from hit to hit, each by the rebound law.
  *
  * `capture R_Q LAMBDA_C D_P SPEED ANGLE [SURFACES [SAMPLES]]`, in um, m/s and degrees, of quartz on
- * Ti-6Al-4V: a row for the geometry and for each model.
+ * Ti-6Al-4V: a row for the geometry, for each model, and for a map of the wall.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_internal.h"
@@ -36,6 +36,35 @@ static void tell(const char *what, double share, double error) {
   fflush(stdout);
 }
 
+static void shoot(const char *what, const asp_wall *wall, double d_p, double speed, double angle,
+                  int samples) {
+  const asp_particle particle = {.d_p = d_p, .density = DENSITY};
+  const double v[3] = {speed * cos(angle), 0, -speed * sin(angle)}, n[3] = {0, 0, 1};
+  double count = 0;
+  for (int i = 0; i < samples; i++) {
+    asp_impact impact;
+    asp_wall_impact(wall, &particle, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+    count += impact.outcome == ASP_DEPOSIT;
+  }
+  tell(what, count / samples, sqrt(count * (1 - count / samples)) / samples);
+}
+
+/* A map of such a wall, made with a seed of its own. */
+static asp_wall *measured(const gauss_wall *of, double d_p) {
+  asp_error error;
+  const double step[2] = {of->lambda_1 / 20, of->lambda_1 / 20};
+  asp_map *map = gauss_map_create(of, step, POINTS, POINTS, 1000, &error);
+  must(map, &error);
+  map->periodic = false;
+  asp_description *words = asp_description_parse("surface map generated " LAW, NULL, &error);
+  must(words && !asp_description_set_map(words, map, &error), &error);
+  asp_wall *wall = asp_wall_create(words, d_p, d_p, &error);
+  must(wall, &error);
+  asp_description_free(words);
+  asp_map_free(map);
+  return wall;
+}
+
 int main(int argc, char **argv) {
   if (argc < 6)
     return fputs("usage: capture R_Q LAMBDA_C D_P SPEED ANGLE [SURFACES [SAMPLES]]\n", stderr), 2;
@@ -67,17 +96,12 @@ int main(int argc, char **argv) {
     snprintf(text, sizeof text, "surface rq %.17g lambda_c %.17g spread %s " LAW, r_q, lambda_c,
              models[m]);
     asp_wall *wall = wall_of(text, d_p);
-    const asp_particle particle = {.d_p = d_p, .density = DENSITY};
-    const double v[3] = {speed * cos(angle), 0, -speed * sin(angle)}, n[3] = {0, 0, 1};
-    double count = 0;
-    for (int i = 0; i < samples; i++) {
-      asp_impact impact;
-      asp_wall_impact(wall, &particle, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
-      count += impact.outcome == ASP_DEPOSIT;
-    }
-    tell(models[m], count / samples, sqrt(count * (1 - count / samples)) / samples);
+    shoot(models[m], wall, d_p, speed, angle, samples);
     asp_wall_free(wall);
   }
+  asp_wall *wall = measured(&subject.wall, d_p);
+  shoot("a map of it", wall, d_p, speed, angle, samples);
+  asp_wall_free(wall);
   aspi_judge_free(&judge);
   asp_wall_free(law);
 }
