@@ -189,6 +189,67 @@ Room tube() {
   return room;
 }
 
+/* Elastic grains with weight between a rough floor and a rough lid. Of those with one energy, the
+ * density at a height goes as the speed v there, and v_z^2 is v^2/3. Prints both means over those
+ * of the closed form, with standard errors from eight parts of the time. */
+bool weigh(double sigma, double steps) {
+  const Alone engine;
+  const int n = 400, parts = 8;
+  const double half = 10, g = 0.4 * SPEED * SPEED / (4 * half), dt = 0.5 * DIAMETER / SPEED;
+  Room room = planes();
+  std::unique_ptr<Wall> wall = make_wall(engine, std::move(room.shapes),
+                                         "surface sigma " + std::to_string(sigma) +
+                                             " lambda_c 0.01 rebound constant 1 1 deposit off");
+  Grains grains(n, DIAMETER / 2, dt);
+  const double low = -half + DIAMETER / 2, high = -low;
+  for (int i = 0; i < n; i++) {
+    double *at = &grains.v[3 * i];
+    for (int d = 0; d < 3; d++)
+      at[d] = uniform(-1, 1);
+    aspi_scale(SPEED / aspi_length(at), at);
+    grains.x[3 * i + 2] = 0;
+    grains.f[3 * i + 2] = -g;
+  }
+  grains.begin({wall.get()});
+  double height[parts] = {0}, share[parts] = {0};
+  const int each = static_cast<int>(steps) / parts;
+  grains.fly(each);
+  for (int p = 0; p < parts; p++)
+    for (int step = 0; step < each; step++) {
+      grains.fly(1);
+      for (int i = 0; i < n; i++) {
+        const double *v = &grains.v[3 * i];
+        height[p] += grains.x[3 * i + 2] / n / each;
+        share[p] += 3 * v[2] * v[2] / aspi_dot(v, v) / n / each;
+      }
+    }
+  double whole = 0, mean = 0; /* by the closed form */
+  for (int k = 0; k < 10000; k++) {
+    const double z = low + (k + 0.5) * (high - low) / 10000, v = sqrt(SPEED * SPEED - 2 * g * z);
+    whole += v;
+    mean += v * z;
+  }
+  mean /= whole;
+  const auto estimate = [&](const double *of, double &value, double &error) {
+    double square = value = 0;
+    for (int p = 0; p < parts; p++) {
+      value += of[p] / parts;
+      square += of[p] * of[p] / parts;
+    }
+    error = sqrt((square - value * value) / (parts - 1));
+  };
+  double z, z_error, s, s_error;
+  estimate(height, z, z_error);
+  estimate(share, s, s_error);
+  const bool good = fabs(z - mean) < 4 * z_error + 0.02 && fabs(s - 1) < 4 * s_error + 0.01;
+  printf("floor and lid, sigma %g: height %.4f +- %.4f (%.4f by closed form), 3 v_z^2/v^2 %.4f +- "
+         "%.4f, %.0f impacts%s\n",
+         sigma, z, z_error, mean, s, s_error, wall->books.counter(Books::N_IMPACTS),
+         good ? "" : "  FAILED");
+  fflush(stdout);
+  return good;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -206,6 +267,8 @@ int main(int argc, char **argv) {
     for (Room &room : rooms)
       good = run(room, diameters, impacts) && good;
   }
+  for (double sigma : {5., 10., 20.})
+    good = weigh(sigma, impacts) && good;
   MPI_Finalize();
   return good ? 0 : 1;
 }
