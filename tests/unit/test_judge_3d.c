@@ -97,6 +97,49 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
   asp_map_free(map);
 }
 
+/* The mean tilt of grazing first hits, which pass several edges on their way. */
+static double mean_tilt(asp_map *map, bool periodic) {
+  enum { FLIGHTS = 20000 };
+  aspi_field f;
+  double sum = 0;
+  map->periodic = periodic;
+  field_of(&f, map, 0.2);
+  for (int k = 0; k < FLIGHTS; k++) {
+    double azimuth = 0.7 * k, gradient[2];
+    const double v[3] = {cos(azimuth), sin(azimuth), -0.03};
+    aspi_spot spot = aspi_field_enter(&f, fmod(0.0161 * k, 1), fmod(0.0417 * k, 1));
+    assert_true(aspi_field_next(&f, v, &spot, gradient));
+    assert_true(spot.x[0] >= 0 && spot.x[0] <= (double)f.cells[0]);
+    assert_true(spot.x[1] >= 0 && spot.x[1] <= (double)f.cells[1]);
+    sum += atan(gradient[0] * v[0] + gradient[1] * v[1]) / FLIGHTS;
+  }
+  aspi_field_free(&f);
+  return sum;
+}
+
+/* Flights over a piece of a map, whose edges do not fit together, have the first hits of flights
+ * over the map, which repeats. */
+static void edges_do_not_change_first_hits(void **state) {
+  (void)state;
+  enum { ALL = 256, PIECE = 150 };
+  gauss_wall wall = {0.125, 1, 1, 0};
+  asp_map *map = gauss_map_create(&wall, (const double[2]){0.08, 0.08}, ALL, ALL, 9, NULL);
+  double should = mean_tilt(map, true), is = 0;
+  for (size_t k = 0; k < 4; k++) {
+    static float piece[PIECE * PIECE];
+    for (size_t j = 0; j < PIECE; j++)
+      memcpy(piece + j * PIECE,
+             map->heights + (j + k / 2 * (ALL - PIECE)) * ALL + k % 2 * (ALL - PIECE),
+             PIECE * sizeof *piece);
+    asp_map *part = asp_map_from_heights(piece, PIECE, PIECE, 0.08, 0.08, false, NULL);
+    is += mean_tilt(part, false) / 4;
+    asp_map_free(part);
+  }
+  print_message("mean tilt over edges %.4f, without them %.4f\n", is, should);
+  assert_near(is, should, 0.03 * should);
+  asp_map_free(map);
+}
+
 /* On one row, weights and places agree, and every one of them is where the beam says. */
 static void first_hits_fill_the_beam(void **state) {
   (void)state;
@@ -239,6 +282,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(flights_end_where_small_steps_do),
       cmocka_unit_test(no_flight_ends_below_a_coarse_wall),
+      cmocka_unit_test(edges_do_not_change_first_hits),
       cmocka_unit_test(first_hits_fill_the_beam),
       cmocka_unit_test(numbers_agree_with_the_independent_reference),
       cmocka_unit_test(divergences_have_no_bias),
