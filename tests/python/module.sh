@@ -59,8 +59,9 @@ run "$work/site" "$one"
 "$python" -m pip wheel --quiet --no-index --no-deps --no-build-isolation -w "$work" "$source_dir" > "$work/log" 2>&1 ||
   { cat "$work/log"; die "pip wheel"; }
 wheel=$(echo "$work"/asperity-"$version"-*.whl)
+"$python" -m zipfile -l "$wheel" > "$work/log"
 for file in asperity/py.typed asperity/libasperity.so.1; do
-  "$python" -m zipfile -l "$wheel" | grep -q "^$file " || die "the wheel has no $file"
+  grep -q "^$file " "$work/log" || die "the wheel has no $file"
 done
 "$python" -m venv --without-pip --system-site-packages "$work/venv"
 "$python" -m pip --python "$work/venv/bin/python" install --quiet --no-index --no-deps "$wheel" > "$work/log" 2>&1 ||
