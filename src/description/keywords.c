@@ -26,7 +26,7 @@ static const aspi_keyword keywords[] = {
      "FILE | map FILE [lay DIRECTION]; for rq R also ra R or sq R, for lambda_c L also rdq S "
      "or rsm L [sampling LR], behind sq sdq S or sal L",
      "smooth", "the roughness of the wall", .shown = ASPI_ALWAYS},
-    {"", "spread", "MODEL", "visible; profile on a measured wall, none on a smooth one",
+    {"", "spread", "MODEL", "visible; traced on a measured wall, none on a smooth one",
      "the distribution of the tilt of the face that is hit", .shown = ASPI_IF_ROUGH},
     {"", "rebound", "LAW [PARAMETER VALUE]...", "bons", "the velocity after a hit",
      .shown = ASPI_ALWAYS, .may_fit = true},
