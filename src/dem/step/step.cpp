@@ -57,8 +57,8 @@ const double NEAR = 0.01;
  */
 const double ROUNDED = 1e-5;
 
-/* The same for a mover that stays at a wall: GAP radii too deep, it is at the edges of the next
- * faces, whose normals are off by sqrt(2 GAP) there, with GAP = 1e-10. */
+/* GRAZING of a mover that stays at a wall: an overlap of 1e-10 radii, which is rounding, puts it at
+ * the edges of the coplanar faces ahead, whose normals are off by sqrt(2e-10) there. */
 const double ON_EDGES = 1.5e-5;
 
 /* Contacts of several spheres are at one instant if the gap between them is less than this share of
