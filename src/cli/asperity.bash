@@ -7,12 +7,12 @@ _asperity() {
   local program=${COMP_WORDS[0]} words kind
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ] || { [ "$COMP_CWORD" -eq 2 ] && [ "$command" = help ]; }; then
-    words=$("$program" --help=words 2> /dev/null)
+    words=$("$program" --help 2> /dev/null | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
     [ "$command" = help ] && words="$words wall"
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
     return
   fi
-  words=$("$program" "$command" --help=words 2> /dev/null)
+  words=$("$program" "$command" --help 2> /dev/null | sed -n 's/^  \(--[a-z_-]*\( [^ ][^ ]*\)\?\).*/\1/p')
   case $word in
     --*) mapfile -t COMPREPLY < <(compgen -W "$(cut -d ' ' -f 1 <<< "$words")" -- "$word"); return ;;
   esac

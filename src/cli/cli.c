@@ -38,7 +38,6 @@ static void keep_inputs(const cli_call *call) {
 
 /* Exits where a file that is to be written cannot be, or two are to be the same. */
 static void check_files(const cli_call *call) {
-  static const char *const look[] = {"title", "size", "range"};
   for (int k = 0; k < N_WRITTEN; k++) {
     const char *path = cli_value(call, written[k]);
     for (int m = 0; m < k && path && strncmp(path, "/dev/", 5) != 0; m++) {
@@ -52,9 +51,6 @@ static void check_files(const cli_call *call) {
       cli_file_check(cli_value(call, written[k]));
   if (cli_value(call, "plot"))
     cli_plot_check(call);
-  for (int k = 0; k < 3 && !cli_value(call, "plot"); k++)
-    if (cli_value(call, look[k]))
-      cli_bad_usage("--%s is given without --plot", look[k]);
 }
 
 /* The word that getopt has just refused. getopt may have refused one letter of a longer word; then
@@ -70,14 +66,11 @@ static void list_options(cli_call *call) {
   const cli_option common[] = {
       {"output", "FILE", "write to FILE instead of the screen", NULL},
       {"plot", "FILE", call->command->picture, NULL},
-      {"title", "TEXT", "title of the picture", NULL},
-      {"size", "WIDTHxHEIGHT", "size of the picture, in pixels", NULL},
-      {"range", "FROM:TO", "range of the vertical axis", NULL},
   };
   cli_option *to = call->options;
   for (const cli_option *own = call->command->options; own->name; own++)
     *to++ = *own;
-  for (int i = 0; i < (call->command->picture ? 5 : 1); i++)
+  for (int i = 0; i < (call->command->picture ? 2 : 1); i++)
     *to++ = common[i];
 }
 
@@ -103,7 +96,7 @@ static void fail_option(const cli_call *call, const char *given) {
 static cli_option *take_option(cli_call *call, int argc, char **argv, int found) {
   const char *name = call->command->name;
   if (found == CLI_OPTIONS_MOST || found == 'h') {
-    cli_help_command(call->command, call->options, found == 'h' ? NULL : optarg);
+    cli_help_command(call->command, call->options);
     exit(0);
   }
   if (found == ':')
@@ -121,7 +114,7 @@ static void read_options(cli_call *call, int argc, char **argv) {
   for (const cli_option *o = call->options; o->name; o++, count++)
     table[count] =
         (struct option){o->name, o->argument ? required_argument : no_argument, NULL, count};
-  table[count] = (struct option){"help", optional_argument, NULL, CLI_OPTIONS_MOST};
+  table[count] = (struct option){"help", no_argument, NULL, CLI_OPTIONS_MOST};
   opterr = 0;
   optind = 1;
   for (int found; (found = getopt_long(argc, argv, ":o:h", table, NULL)) != -1;) {

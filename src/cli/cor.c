@@ -254,20 +254,6 @@ static void draw(const scene *s, const plan *p, const sink *to) {
   cli_progress_end(&progress);
 }
 
-static void print_laws(FILE *out) {
-  fputs("law,parameter,unit,default,least,most,text\n", out);
-  for (int i = 0; i < asp_rebound_count(); i++) {
-    const asp_rebound_law *law = asp_rebound_at(i);
-    fprintf(out, "%s,,,,,,\"%s; source: %s\"\n", law->name, law->summary, law->source);
-    for (int k = 0; k < law->n_parameters; k++) {
-      const asp_parameter *p = &law->parameters[k];
-      fprintf(out, "%s,%s,%s,%.10g,%g,%g,\"%s%s%s\"\n", law->name, p->name, p->unit, p->fallback,
-              p->least, p->most, p->words ? p->words : "", p->words ? " (0, 1 ...): " : "",
-              p->text);
-    }
-  }
-}
-
 /* Values between two ends, in equal ratios. */
 static cli_list ratios(double from, double to) {
   cli_list list = {.values = cli_allocate(CAPTURE_POINTS, sizeof *list.values),
@@ -309,12 +295,6 @@ static scene read_scene(cli_call *call, bool capture) {
 }
 
 static void run(cli_call *call) {
-  if (cli_value(call, "list")) {
-    FILE *out = cli_output_open(call, "output", NULL);
-    print_laws(out);
-    cli_file_close(out);
-    return;
-  }
   bool as_ledger = cli_choice(cli_get(call, "columns")), capture = cli_value(call, "capture");
   bool summary = cli_value(call, "summary") || capture;
   if (as_ledger && summary)
@@ -349,7 +329,6 @@ static const cli_option options[] = {
     {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
      NULL},
     {"capture", NULL, "the share that sticks, over diameter and speed at one angle", NULL},
-    {"list", NULL, "the laws and their parameters: defaults, ranges, sources", NULL},
     {"columns", "own|ledger", "columns of the rows: the command's own, or those of a wall's ledger",
      "own"},
     {.name = NULL}};

@@ -1,5 +1,5 @@
-/* The help of the commands, made from their tables of options in two forms: text for a terminal, in
- * the form that help2man makes a page of the manual from, and words for the shell's completion.
+/* The help of the commands, made from their tables of options, in the form that help2man makes a
+ * page of the manual from; the shell's completion takes its words from it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
@@ -7,6 +7,7 @@
 #include "description/description.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -20,8 +21,6 @@ static const char conventions[] =
     "describe the wall, such as `surface sigma 10 rebound bons friction 0.4`; 'asperity help\n"
     "wall' lists them.\n"
     "Exit status: 0 done, 1 failed, 2 bad usage or bad input.\n";
-
-/* ---- text ---- */
 
 /* Prints what an option means, in lines of at most WIDTH characters that begin under the first one.
  */
@@ -41,7 +40,7 @@ static void print_meaning(const cli_option *option) {
   printf(" %s\n", line);
 }
 
-static void text_of_command(const cli_command *command, const cli_option *options) {
+void cli_help_command(const cli_command *command, const cli_option *options) {
   printf("Usage: asperity %s%s%s [options]\n\n%c%s.\n\n%s\nOptions:\n", command->name,
          command->arguments ? " " : "", command->arguments ? command->arguments : "",
          toupper((unsigned char)*command->summary), command->summary + 1, command->detail);
@@ -60,7 +59,7 @@ static void text_of_command(const cli_command *command, const cli_option *option
     printf("\nExamples:\n%s", command->examples);
 }
 
-static void text_of_all(const cli_command *const *commands) {
+void cli_help_all(const cli_command *const *commands) {
   puts("Usage: asperity COMMAND [DESCRIPTION] [options]\n\n"
        "Rough walls for particle simulation.\n\nCommands:");
   for (; *commands; commands++)
@@ -71,8 +70,6 @@ static void text_of_all(const cli_command *const *commands) {
          "  $ asperity cor surface rq 5um lambda_c 40um --dp 10um --plot cor.png -o cor.csv\n",
          conventions);
 }
-
-/* ---- the words of a description ---- */
 
 /* The words within one, and those within these. */
 static void put_words(const char *within, int depth) {
@@ -87,23 +84,38 @@ static void put_words(const char *within, int depth) {
   }
 }
 
-/* A law's name with its parameters: those that follow the name, and those with a word of their
- * own. */
+static void put_upper(const char *name) {
+  for (; *name; name++)
+    putchar(toupper((unsigned char)*name));
+}
+
+static void put_parameter(const asp_parameter *p) {
+  fputs("        ", stdout);
+  put_upper(p->name);
+  if (p->words)
+    printf(" (%s): %s\n", p->words, p->text);
+  else
+    printf(" (%g to %g%s%s): %s", p->least, p->most, *p->unit ? " " : "", p->unit, p->text);
+  if (!p->words)
+    printf(isnan(p->fallback) ? "\n" : " [%.10g]\n", p->fallback);
+}
+
+/* A law with its parameters, those behind a word of their own in brackets. */
 static void put_law(const char *name, const asp_parameter *parameters, int count,
-                    const char *summary) {
+                    const char *summary, const char *source) {
   const char *last = "";
   printf("  %s", name);
   for (int i = 0; i < count; i++) {
-    const asp_parameter *p = &parameters[i];
-    const char *keyword = aspi_parameter_keyword(p);
+    const char *keyword = aspi_parameter_keyword(&parameters[i]);
     if (strcmp(keyword, last) != 0)
       printf("%s [%s", *last ? "]" : "", keyword);
     putchar(' ');
-    for (const char *c = p->name; *c; c++)
-      putchar(toupper((unsigned char)*c));
+    put_upper(parameters[i].name);
     last = keyword;
   }
-  printf("%s\n      %s\n", *last ? "]" : "", summary);
+  printf("%s\n      %s; source: %s\n", *last ? "]" : "", summary, source);
+  for (int i = 0; i < count; i++)
+    put_parameter(&parameters[i]);
 }
 
 void cli_help_wall(void) {
@@ -114,55 +126,19 @@ void cli_help_wall(void) {
         "Road Dust on Hastelloy X (materials ard hastelloy-x).\n",
         stdout);
   put_words("", 0);
-  fputs("\nMODEL, as 'asperity spread --list' lists them with their sources:\n", stdout);
+  fputs("\nMODEL:\n", stdout);
   for (int i = 1; i < asp_spread_count(); i++) /* 0 is that of smooth walls */
-    printf("  %s\n      %s\n", asp_spread_name(asp_spread_at(i)),
-           asp_spread_summary(asp_spread_at(i)));
-  fputs("\nLAW, as 'asperity cor --list' lists them with their sources:\n", stdout);
+    put_law(asp_spread_name(asp_spread_at(i)), NULL, 0, asp_spread_summary(asp_spread_at(i)),
+            asp_spread_source(asp_spread_at(i)));
+  fputs("\nLAW, with the ranges and [defaults] of its parameters:\n", stdout);
   for (int i = 0; i < asp_rebound_count(); i++) {
     const asp_rebound_law *law = asp_rebound_at(i);
     put_law(law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters,
-            law->summary);
+            law->summary, law->source);
   }
   fputs("\nLAW of erosion:\n", stdout);
   for (int i = 0; i < aspi_erosion_count(); i++) {
     const aspi_erosion_law *law = aspi_erosion_at(i);
-    put_law(law->name, law->parameters, law->n_parameters, law->summary);
-    printf("      %s\n", law->source);
+    put_law(law->name, law->parameters, law->n_parameters, law->summary, law->source);
   }
-}
-
-/* ---- words for the shell ---- */
-static void words_of_command(const cli_option *options) {
-  for (const cli_option *o = options; o->name; o++)
-    printf("--%s%s%s\n", o->name, o->argument ? " " : "", o->argument ? o->argument : "");
-  puts("--help");
-}
-
-static void words_of_all(const cli_command *const *commands) {
-  for (; *commands; commands++)
-    puts((*commands)->name);
-  puts("help\n--help\n--version");
-}
-
-static bool wants_words(const char *before, const char *form) {
-  if (form && strcmp(form, "words") != 0)
-    cli_bad_usage("%s--help is '%s'; it must be words", before, form);
-  return form;
-}
-
-void cli_help_command(const cli_command *command, const cli_option *options, const char *form) {
-  char before[40];
-  snprintf(before, sizeof before, "%s: ", command->name);
-  if (wants_words(before, form))
-    words_of_command(options);
-  else
-    text_of_command(command, options);
-}
-
-void cli_help_all(const cli_command *const *commands, const char *form) {
-  if (wants_words("", form))
-    words_of_all(commands);
-  else
-    text_of_all(commands);
 }

@@ -38,11 +38,7 @@ int main(int argc, char **argv) {
     cli_parse(find(argv[2]), 2, arguments);
   }
   if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
-    cli_help_all(commands, NULL);
-    return 0;
-  }
-  if (strncmp(word, "--help=", 7) == 0) {
-    cli_help_all(commands, word + 7);
+    cli_help_all(commands);
     return 0;
   }
   if (strcmp(word, "--version") == 0) {

@@ -1,11 +1,12 @@
 /* Pictures by gnuplot: the table in a temporary folder, the script that draws it, and a copy of the
- * picture; see plot.h. Names and titles of users reach gnuplot as arguments of the script, which
- * are never read as commands, and it reads no start-up files.
+ * picture; see plot.h. The title reaches gnuplot as an argument of the script, which is
+ * never read as a command, and it reads no start-up files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/plot.h"
-#include "base/number.h"
+#include "base/error.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <spawn.h>
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { SIDE_LEAST = 100, SIDE_MOST = 10000, PATH_MOST = 4096, TITLE_MOST = 600 };
+enum { PATH_MOST = 4096, TITLE_MOST = 600 };
 
 extern char **environ;
 
@@ -37,24 +38,6 @@ static const char *ending_of(const char *path) {
   cli_bad_usage("--plot is '%s'; the file must end in .png, .svg or .pdf", path);
 }
 
-/* Exits if --size or --range cannot be read. */
-static void check_look(const cli_call *call) {
-  const char *size = cli_value(call, "size"), *range = cli_value(call, "range");
-  int width = 0, height = 0;
-  char end, *colon, *last = NULL;
-  if (size && (sscanf(size, "%5dx%5d%c", &width, &height, &end) != 2 || width < SIDE_LEAST ||
-               height < SIDE_LEAST || width > SIDE_MOST || height > SIDE_MOST))
-    cli_bad_usage("--size is '%s'; it must be WIDTHxHEIGHT, each %d to %d pixels", size, SIDE_LEAST,
-                  SIDE_MOST);
-  if (!range)
-    return;
-  double from = aspi_number(range, &colon), to = 0;
-  if (*colon == ':')
-    to = aspi_number(colon + 1, &last);
-  if (!last || *last || last == colon + 1 || !(from < to))
-    cli_bad_usage("--range is '%s'; it must be FROM:TO, with FROM < TO", range);
-}
-
 /* The exit status of a program; -1 if it cannot be run. */
 static int run_program(char *const arguments[]) {
   pid_t child;
@@ -67,7 +50,6 @@ static int run_program(char *const arguments[]) {
 
 void cli_plot_check(const cli_call *call) {
   ending_of(cli_value(call, "plot"));
-  check_look(call);
   cli_file_check(cli_value(call, "plot"));
   if (system("exec gnuplot --version > /dev/null 2>&1") != 0)
     cli_fail("cannot run gnuplot; is it installed? Debian: apt-get install gnuplot-nox");
@@ -85,53 +67,17 @@ static void find_script(const char *name, char path[PATH_MOST]) {
     cli_fail("cannot read the script '%s' that draws --plot: %s", path, strerror(errno));
 }
 
-/* The bytes of the UTF-8 character that a text begins with; 0 where it is none. */
-static size_t character_length(const char *text) {
-  const unsigned char *c = (const unsigned char *)text;
-  size_t length = *c < 0x80 ? 1 : *c >= 0xc2 && *c < 0xe0 ? 2 : (*c & 0xf0) == 0xe0 ? 3 : 4;
-  if (length == 4 && !(*c >= 0xf0 && *c < 0xf5))
-    return 0;
-  for (size_t i = 1; i < length; i++)
-    if ((c[i] & 0xc0) != 0x80)
-      return 0;
-  return length;
-}
-
-/* Appends a word to a title: blanks for control characters, ? for bytes that are no text. */
-static void add_word(char title[TITLE_MOST], const char *text) {
-  size_t used = strlen(title);
-  if (used)
-    title[used++] = ' ';
-  while (*text && used + 8 < TITLE_MOST) {
-    size_t length = character_length(text);
-    bool control = (unsigned char)*text < 0x20 || *text == 0x7f;
-    if (length == 0 || control)
-      title[used++] = control ? ' ' : '?';
-    else
-      memcpy(title + used, text, length);
-    used += length > 0 && !control ? length : 0;
-    text += length ? length : 1;
-  }
-  strcpy(title + used, *text ? "..." : "");
-}
-
-/* --title, or the command as given, without the files that it writes. */
+/* The command as given, without the files that it writes; blanks for control characters. */
 static void title_of(const cli_call *call, char title[TITLE_MOST]) {
-  static const char *const left_out[] = {"-o", "--output", "--plot", "--save", "--size", "--range"};
+  static const char left_out[] = "-o --output --plot --save";
   *title = '\0';
-  if (cli_value(call, "title")) {
-    add_word(title, cli_value(call, "title"));
-    return;
-  }
-  for (int i = 0; i < call->argc; i++) {
-    bool shown = true;
-    for (size_t k = 0; k < sizeof left_out / sizeof *left_out; k++)
-      shown = shown && strcmp(call->argv[i], left_out[k]) != 0;
-    if (shown)
-      add_word(title, call->argv[i]);
-    else
+  for (int i = 0; i < call->argc; i++)
+    if (aspi_word_index(left_out, call->argv[i], strlen(call->argv[i]), true) >= 0)
       i++;
-  }
+    else
+      aspi_append(title, TITLE_MOST, "%s%s", i ? " " : "", call->argv[i]);
+  for (char *c = title; *c; c++)
+    *c = iscntrl((unsigned char)*c) ? ' ' : *c;
 }
 
 FILE *cli_plot_open(const cli_call *call) {
@@ -158,19 +104,9 @@ static void copy(FILE *from, FILE *to) {
 /* Draws the table at its path. */
 static void draw(const cli_call *call, const char *name) {
   char script[PATH_MOST], title[TITLE_MOST];
-  const char *size = cli_value(call, "size"), *range = cli_value(call, "range");
   find_script(name, script);
   title_of(call, title);
-  char *const arguments[] = {"gnuplot",
-                             "-d",
-                             "-c",
-                             script,
-                             table_path,
-                             picture_path,
-                             title,
-                             (char *)(size ? size : ""),
-                             (char *)(range ? range : ""),
-                             NULL};
+  char *const arguments[] = {"gnuplot", "-d", "-c", script, table_path, picture_path, title, NULL};
   int status = run_program(arguments);
   FILE *picture = status == 0 ? fopen(picture_path, "rb") : NULL;
   if (!picture)

@@ -77,13 +77,6 @@ static scene scene_of(const cli_call *call) {
   return s;
 }
 
-static void print_list(FILE *out) {
-  fputs("model,summary,source\n", out);
-  for (int i = 0; i < asp_spread_count(); i++)
-    fprintf(out, "%s,\"%s\",\"%s\"\n", asp_spread_name(asp_spread_at(i)),
-            asp_spread_summary(asp_spread_at(i)), asp_spread_source(asp_spread_at(i)));
-}
-
 static void print_density(FILE *out, const asp_spread_model *model, const aspi_view *view) {
   fputs("delta_alpha_deg,density_per_deg\n", out);
   for (int i = -900; i <= 900; i++) {
@@ -132,12 +125,6 @@ static void one_angle(FILE *out, const cli_call *call, const scene *s, double an
 }
 
 static void run(cli_call *call) {
-  FILE *out;
-  if (cli_value(call, "list")) {
-    print_list(out = cli_output_open(call, "output", NULL));
-    cli_file_close(out);
-    return;
-  }
   cli_list angles = cli_angles(cli_get(call, "angles"));
   bool pdf = cli_value(call, "pdf"), summary = cli_value(call, "summary");
   if (angles.count > 1 && !summary)
@@ -151,7 +138,7 @@ static void run(cli_call *call) {
   scene s = scene_of(call);
   if (pdf && !s.model->density)
     cli_bad_usage("--pdf: model '%s' has no density", s.model->name);
-  out = cli_table_open(call, s.wall.text);
+  FILE *out = cli_table_open(call, s.wall.text);
   if (summary)
     fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);
   else if (!pdf)
@@ -167,7 +154,6 @@ static const cli_option options[] = {
     {"samples", "N", "number of draws", "10000"},
     {"pdf", NULL, "print the density instead of samples", NULL},
     {"summary", NULL, "print mean, sd and percentiles of the samples", NULL},
-    {"list", NULL, "list the models", NULL},
     {.name = NULL}};
 
 const cli_command cli_spread = {
@@ -179,8 +165,8 @@ const cli_command cli_spread = {
         "its density. Only 'surface', 'spread' and 'seed' of the description count. A wall\n"
         "given by numbers is a profile along the flight. Over a map, spheres fly in all\n"
         "directions.\n",
-    .examples = "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n"
-                "  $ asperity spread --list\n",
+    .examples =
+        "  $ asperity spread surface sigma 10 --angles 20 --plot spread.png -o spread.csv\n",
     .options = options,
     .picture = "draw a histogram of the samples, or the density; .png, .svg or .pdf",
     .run = run,

@@ -9,6 +9,9 @@ cd "$work"
 
 die() { echo "FAILED: $*" >&2; exit 1; }
 
+# The options that the help of a command lists.
+options_of() { "$asperity" "$1" --help 2> /dev/null | grep -o '^  --[a-z_-]*' | tr -d ' '; }
+
 # For a table with a header below its comments: its rows, the header, and a column by its name.
 rows() { grep -v '^#' "$1" | tail -n +2; }
 header() { grep -v '^#' "$1" | head -n 1; }

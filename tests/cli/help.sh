@@ -1,22 +1,18 @@
 #!/usr/bin/env bash
-# Help in its forms (text, pages of the manual made from it, words for the shell), lists of numbers, names in
+# Help, the pages of the manual and the completion of the shell that are made from it, lists of numbers, names in
 # any case and with suggestions, endings of pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 
-# Every command of the list has text and words, and they tell the same options.
-commands=$("$asperity" --help=words | grep -v '^help$\|^--')
+# Every command of the list has its help.
+commands=$("$asperity" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
 [ "$(wc -w <<< "$commands")" -ge 7 ] || die "commands: $commands"
 for command in $commands; do
   "$asperity" help "$command" > text
   "$asperity" "$command" --help | cmp - text || die "help $command is not $command --help"
-  "$asperity" "$command" --help=words | cut -d ' ' -f 1 | sort > words
-  sed -n '/^Options:/,$p' text | grep -o '^  --[a-z-]*' | tr -d ' ' | sort | cmp - words || die "$command: other words than help has"
   grep -q '^Examples:' text && grep -q "^  \$ asperity $command" text || die "$command: no examples"
 done
 "$asperity" compare --help | grep -qx 'Usage: asperity compare IMPACTS \[DATA\] \[options\]' || die "compare: its arguments in the synopsis"
-! "$asperity" cor --help=html 2> err || die "--help=html"
-grep -q "must be words" err || die "message: $(cat err)"
 ! "$asperity" help nothing 2> err || die "help nothing"
 
 # The pages of the manual tell the same, and no line of them begins as a request that is none.
@@ -25,7 +21,7 @@ if command -v help2man > /dev/null; then
   for command in $commands; do
     page=man/asperity-$command.1
     for section in NAME SYNOPSIS DESCRIPTION OPTIONS EXAMPLES '"SEE ALSO"'; do grep -qx ".SH $section" "$page" || die "$page: no $section"; done
-    [ "$(grep -c '^\\fB\\-\\-' "$page")" -ge "$("$asperity" "$command" --help=words | wc -l)" ] || die "$page: options are missing"
+    [ "$(grep -c '^\\fB\\-\\-' "$page")" -ge "$(options_of "$command" | wc -l)" ] || die "$page: options are missing"
   done
   grep -qx '.SH "DESCRIPTION OF A WALL"' man/asperity.1 && grep -q 'lambda_c' man/asperity.1 || die "the page of all commands"
   ! grep -nP "^['.](?!\\\\|[A-Z]|(br|nf|fi)$)" man/*.1 || die "a line of text begins as a request of troff"
@@ -59,9 +55,8 @@ for word in surface spread rebound materials friction surface_energy yield_stres
   grep -q "^ *$word " wall || die "help wall: $word"
 done
 for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done
-[ "$("$asperity" --help=words | grep -xc wall)" = 0 ] || die "wall is no command"
 # At most fifteen options, besides --help.
-for command in surface spread cor trade; do [ "$("$asperity" $command --help=words | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
+for command in surface spread cor trade; do [ "$(options_of $command | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
 
 # Names.
 one() { "$asperity" cor materials "$@" --samples 1 --angles 30 | tail -n 1; }

@@ -28,12 +28,10 @@ smooth rebound grant_tabakoff --angles 30,90 > a
 smooth rebound bons temperature 1400 surface_energy 0 --angles 45 > a
 smooth surface_energy 0 yield_stress 110e6 --angles 45 > b
 [ "$(column cor_n a)" = "$(column cor_n b)" ] || die "temperature: $(cat a b)"
-"$asperity" cor --list > list
-for law in bons constant grant_tabakoff table thornton_ning walton; do grep -q "^$law,,.*source" list || die "cor --list: $law"; done
 refuses 2 "'soften' has no effect without 'temperature T'" -- cor rebound bons soften 800 0.001
 smooth rebound bons temperature 1800 > /dev/null 2> words
 grep -q "a yield stress of 2e+07" words || die "the yield stress of hot particles: $(cat words)"
-grep -q '^bons,temperature,K,0,' list || die "cor --list: parameters"
+"$asperity" help wall | grep -q '^ *TEMPERATURE (0 to 100000 K): .*\[0\]$' || die "help wall: parameters"
 smooth rebound walton 0.98 0.092 0 --angles 60.55 > a
 column cor_t a | awk '{ exit !($1 > 0.714 && $1 < 0.7143) }' || die "walton: $(cat a)"
 smooth rebound bons spin on friction 5 surface_energy 0 --angles 20 > a

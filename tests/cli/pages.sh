@@ -21,7 +21,7 @@ done
 options=0
 for page in $pages; do
   while read -r command rest; do
-    "$asperity" "$command" --help=words 2> /dev/null | cut -d ' ' -f 1 > words || continue
+    options_of "$command" > words || continue
     for option in $(grep -oP '(?<![\w-])--[a-z][a-z-]*' <<< "$rest"); do
       options=$((options + 1))
       grep -qxF -- "$option" words || die "$page: asperity $command has no $option"

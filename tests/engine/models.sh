@@ -17,7 +17,7 @@ timestep 5e-8
 fix wall all wall/rebound primitive type 2 zplane 0.0 surface rq 8e-6 lambda_c 60e-6 $([ "${1%% *}" = traced ] && echo dp_bins 4) spread $1 rebound constant 1 1 deposit off ledger 40 file \${out}
 run 40"
 }
-for model in $("$bin/asperity" spread --list | tail -n +3 | cut -d, -f1 | grep -v '^none'); do
+for model in $("$bin/asperity" help wall | sed -n '/^MODEL/,/^$/s/^  \([a-z]*\)$/\1/p'); do
   deck "$model collisions single" > "$model.in"
   engine 1 "$model.in" -var out one.csv
   engine 2 "$model.in" -var out two.csv
