@@ -23,10 +23,7 @@ std::string below(double speed) {
 } // namespace
 
 std::string Model::description() const {
-  std::string line(asp_description_text(description_.get(), NULL, 0) + 1, '\0');
-  asp_description_text(description_.get(), &line[0], line.size());
-  line.pop_back();
-  return line;
+  return description_text(description_.get());
 }
 
 /* Reports the source of a constant of the pairs. */

@@ -10,7 +10,6 @@
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/text.h"
-#include "dem/units.h"
 
 using namespace asperity;
 

@@ -13,7 +13,6 @@
 #include "region.h"
 #include "update.h"
 #include "dem/error.h"
-#include "dem/books/record.h"
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;

@@ -102,10 +102,7 @@ bool PatchWall::removes(const Parcel &parcel, double dt) const {
 }
 
 std::string PatchWall::heading() const {
-  std::string line(asp_description_text(words_.get(), NULL, 0) + 1, '\0');
-  asp_description_text(words_.get(), &line[0], line.size());
-  line.pop_back();
-  return line;
+  return description_text(words_.get());
 }
 
 std::string PatchWall::notes(const Cloud &cloud) const {

@@ -16,7 +16,7 @@
 #include <memory>
 
 #include "dem/error.h"
-#include "dem/books/ledger_format.h"
+#include "dem/books/ledger_row.h"
 extern "C" {
 #include <cmocka.h>
 }

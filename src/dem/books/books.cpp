@@ -83,7 +83,7 @@ void Books::parse_ledger(Words &words) {
 
 std::string Books::torque_about() const {
   const double *at = torque_about_;
-  return text("%.15g %.15g %.15g", at[0], at[1], at[2]);
+  return setting(at[0]) + " " + setting(at[1]) + " " + setting(at[2]);
 }
 
 /* ---- a run ------------------------------------------------------------------------------------

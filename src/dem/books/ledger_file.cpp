@@ -11,9 +11,8 @@
 #include <unistd.h>
 #include <algorithm>
 
-#include "dem/books/checksum.h"
 #include "dem/error.h"
-#include "dem/books/ledger_format.h"
+#include "dem/books/ledger_row.h"
 
 using namespace asperity;
 
@@ -28,6 +27,14 @@ static std::string cannot_write(const std::string &path, const std::string &why)
 
 static std::string rows_of(int64_t count) {
   return std::to_string(count) + (count == 1 ? " row" : " rows");
+}
+
+uint32_t asperity::checksum(const void *bytes, size_t length) {
+  const unsigned char *at = static_cast<const unsigned char *>(bytes);
+  uint32_t sum = 2166136261u; /* FNV-1a's offset basis and prime */
+  for (size_t i = 0; i < length; i++)
+    sum = (sum ^ at[i]) * 16777619u;
+  return sum;
 }
 
 LedgerFile::LedgerFile(const std::string &path, int columns)

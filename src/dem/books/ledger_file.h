@@ -13,6 +13,9 @@
 
 namespace asperity {
 
+/* FNV-1a: changes with every byte. */
+uint32_t checksum(const void *bytes, size_t length);
+
 /* State of a ledger's file in a restart file: enough to recognize the file and cut it back. */
 struct LedgerState {
   std::string path; /* as the script has it; empty: there is nothing to continue */
@@ -22,7 +25,7 @@ struct LedgerState {
 
 class LedgerFile {
 public:
-  /* columns: see ledger_format.h. */
+  /* columns: see ledger_row.h. */
   LedgerFile(const std::string &path, int columns);
   ~LedgerFile();
   LedgerFile(const LedgerFile &) = delete;

@@ -4,151 +4,117 @@
 #include "dem/books/record.h"
 
 #include <limits.h>
-#include <stdio.h>
 #include <string.h>
 #include <algorithm>
 
 #include "asperity_internal.h"
-#include "dem/books/checksum.h"
 #include "dem/error.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
 namespace {
 
-/* The form of head and sections is the same in all versions; what is in the sections is not. */
-const uint32_t VERSION = 3;
+/* Another list of what is in a record is another version. */
+const uint32_t VERSION = 4;
 const char MAGIC[8] = {'a', 's', 'p', '-', 'w', 'a', 'l', 'l'};
 
 struct Head {
   char magic[sizeof MAGIC];
-  uint32_t version, sections;
-  uint64_t length; /* with the head */
-  uint32_t sum;    /* of what is behind the head */
+  uint32_t version, length; /* with the head */
+  uint32_t sum;             /* of what is behind the head */
   uint32_t sum_of_head;
 };
 
-const std::string ADVICE = "; give the wall another ID to begin anew without it";
-
-void fail(const std::string &what) {
-  throw Error("the restart file's record of this wall " + what + ADVICE);
+[[noreturn]] void fail(const std::string &what) {
+  throw Error("the restart file's record of this wall " + what +
+              "; give the wall another ID to begin anew without it");
 }
 
-void damaged(const std::string &where) {
+[[noreturn]] void damaged(const std::string &where) {
   fail("is damaged (" + where + ")");
 }
 
-class Writer {
-public:
-  Writer() : sections_(0), length_at_(0) {
-    bytes_.resize(sizeof(Head));
-  }
-  template <class T> void number(T value) {
-    bytes(&value, sizeof value);
-  }
-  void text(const std::string &value) {
-    number<uint64_t>(value.size());
-    bytes(value.data(), value.size());
-  }
-  void numbers(const std::vector<double> &values) {
-    number<uint64_t>(values.size());
-    bytes(values.data(), values.size() * sizeof(double));
-  }
-  void begin(const std::string &name) {
-    text(name);
-    length_at_ = bytes_.size();
-    number<uint64_t>(0);
-    sections_++;
-  }
-  void end() {
-    const uint64_t length = bytes_.size() - length_at_ - sizeof length;
-    memcpy(&bytes_[length_at_], &length, sizeof length);
-  }
-  std::vector<char> finish() {
-    Head head;
-    memset(&head, 0, sizeof head);
-    memcpy(head.magic, MAGIC, sizeof MAGIC);
-    head.version = VERSION;
-    head.sections = sections_;
-    head.length = bytes_.size();
-    head.sum = checksum(bytes_.data() + sizeof head, bytes_.size() - sizeof head);
-    head.sum_of_head = checksum(&head, offsetof(Head, sum_of_head));
-    memcpy(bytes_.data(), &head, sizeof head);
-    return bytes_;
-  }
-
-private:
+struct Writer {
+  std::vector<char> all;
   void bytes(const void *from, size_t length) {
     const char *begin = static_cast<const char *>(from);
-    bytes_.insert(bytes_.end(), begin, begin + length);
+    all.insert(all.end(), begin, begin + length);
   }
-
-  std::vector<char> bytes_;
-  uint32_t sections_;
-  size_t length_at_;
+  template <class List> void resize(List &list) {
+    const uint64_t size = list.size();
+    bytes(&size, sizeof size);
+  }
 };
 
-/* Reads a record and never past its end, whatever lengths it contains. */
-class Reader {
-public:
-  Reader(const std::string &name, const char *begin, size_t length)
-      : name_(name), at_(begin), left_(length) {}
-  template <class T> T number() {
-    T value;
-    bytes(&value, sizeof value);
-    return value;
-  }
-  std::string text() {
-    std::string value(count(1), '\0');
-    bytes(&value[0], value.size());
-    return value;
-  }
-  std::vector<double> numbers() {
-    std::vector<double> values(count(sizeof(double)));
-    bytes(values.data(), values.size() * sizeof(double));
-    return values;
-  }
-  void numbers(double *to, size_t n) {
-    const std::vector<double> values = numbers();
-    if (values.size() != n)
-      damaged(name_);
-    std::copy(values.begin(), values.end(), to);
-  }
-  Reader section() {
-    const std::string name = text();
-    const size_t length = count(1);
-    Reader part(name, at_, length);
-    at_ += length;
-    left_ -= length;
-    return part;
-  }
-  const std::string &name() const {
-    return name_;
-  }
-  bool done() const {
-    return left_ == 0;
-  }
-
-private:
-  size_t count(size_t size) {
-    const uint64_t n = number<uint64_t>();
-    if (n > left_ / size)
-      damaged(name_);
-    return static_cast<size_t>(n);
-  }
+/* Never reads past the end, whatever lengths there are. */
+struct Reader {
+  const char *at;
+  size_t left;
   void bytes(void *to, size_t length) {
-    if (length > left_)
-      damaged(name_);
+    if (length > left)
+      damaged("its contents");
     if (length > 0)
-      memcpy(to, at_, length);
-    at_ += length;
-    left_ -= length;
+      memcpy(to, at, length);
+    at += length;
+    left -= length;
   }
-
-  std::string name_;
-  const char *at_;
-  size_t left_;
+  template <class List> void resize(List &list) {
+    uint64_t size;
+    bytes(&size, sizeof size);
+    if (size > left)
+      damaged("a length");
+    list.resize(size);
+  }
 };
+
+/* Writes or reads a value: a number, an array of them, or what is made of such values. */
+template <class Of, class T> void each(Of &of, T &value) {
+  of.bytes(&value, sizeof value);
+}
+
+template <class Of> void each(Of &of, std::string &text) {
+  of.resize(text);
+  of.bytes(&text[0], text.size());
+}
+
+template <class Of> void each(Of &of, std::vector<double> &numbers) {
+  of.resize(numbers);
+  of.bytes(numbers.data(), numbers.size() * sizeof(double));
+}
+
+template <class Of> void each(Of &of, std::pair<std::string, std::string> &setting) {
+  each(of, setting.first);
+  each(of, setting.second);
+}
+
+template <class Of> void each(Of &of, MeshState &mesh) {
+  each(of, mesh.id);
+  each(of, mesh.triangles);
+  each(of, mesh.totals);
+  each(of, mesh.map);
+  each(of, mesh.motion);
+}
+
+template <class Of, class Item> void each(Of &of, std::vector<Item> &list) {
+  of.resize(list);
+  for (Item &item : list)
+    each(of, item);
+}
+
+template <class Of> void each(Of &of, WallState &state) {
+  each(of, state.settings);
+  each(of, state.counters);
+  each(of, state.totals);
+  each(of, state.d_range);
+  each(of, state.clock);
+  each(of, state.meshes);
+  each(of, state.bodies);
+  each(of, state.ledger.path);
+  each(of, state.ledger.rows);
+  each(of, state.ledger.bytes);
+  each(of, state.ledger.tail);
+}
 
 Head check_head(const char *bytes, size_t available) {
   Head head;
@@ -163,7 +129,7 @@ Head check_head(const char *bytes, size_t available) {
   if (head.version != VERSION)
     fail("is of version " + std::to_string(head.version) + "; it must be of version " +
          std::to_string(VERSION));
-  if (head.length < sizeof head || head.length > INT_MAX)
+  if (head.length < sizeof head)
     damaged("its length");
   if (head.length > available)
     fail("is cut short: it has " + std::to_string(available) + " bytes of " +
@@ -171,34 +137,6 @@ Head check_head(const char *bytes, size_t available) {
   if (checksum(bytes + sizeof head, head.length - sizeof head) != head.sum)
     damaged("its contents");
   return head;
-}
-
-MeshState read_mesh(Reader &from) {
-  MeshState mesh;
-  mesh.id = from.text();
-  mesh.triangles = from.number<int64_t>();
-  mesh.totals = from.numbers();
-  mesh.map = from.numbers();
-  mesh.motion = from.numbers();
-  return mesh;
-}
-
-LedgerState read_ledger(Reader &from) {
-  LedgerState ledger;
-  ledger.path = from.text();
-  ledger.rows = from.number<int64_t>();
-  ledger.bytes = from.number<int64_t>();
-  ledger.tail = from.number<uint32_t>();
-  return ledger;
-}
-
-Settings read_settings(Reader &from) {
-  Settings settings;
-  while (!from.done()) {
-    const std::string name = from.text();
-    settings.push_back(std::make_pair(name, from.text()));
-  }
-  return settings;
 }
 
 std::string value_of(const Settings &settings, const std::string &name) {
@@ -254,12 +192,6 @@ std::string asperity::describe_changes(const Settings &now, const Settings &save
   return changes;
 }
 
-std::string asperity::setting(double value) {
-  char text[32];
-  snprintf(text, sizeof text, "%.15g", value);
-  return text;
-}
-
 void asperity::check_record_size(uint64_t bytes) {
   if (bytes > INT_MAX)
     throw Error("the record of this wall in a restart file has " + std::to_string(bytes) +
@@ -267,65 +199,27 @@ void asperity::check_record_size(uint64_t bytes) {
                 " at most: leave out meshes, or triangles of them");
 }
 
-std::vector<char> asperity::pack(const WallState &state) {
+std::vector<char> asperity::pack(WallState &state) {
   Writer to;
-  to.begin("settings");
-  for (const std::pair<std::string, std::string> &entry : state.settings) {
-    to.text(entry.first);
-    to.text(entry.second);
-  }
-  to.end();
-  to.begin("numbers");
-  to.numbers(state.counters);
-  to.numbers(state.totals);
-  to.numbers(std::vector<double>(state.d_range, state.d_range + 2));
-  to.numbers(std::vector<double>(state.clock, state.clock + 3));
-  to.end();
-  for (const MeshState &mesh : state.meshes) {
-    to.begin("mesh");
-    to.text(mesh.id);
-    to.number(mesh.triangles);
-    to.numbers(mesh.totals);
-    to.numbers(mesh.map);
-    to.numbers(mesh.motion);
-    to.end();
-  }
-  if (!state.bodies.empty()) {
-    to.begin("bodies");
-    to.numbers(state.bodies);
-    to.end();
-  }
-  to.begin("ledger");
-  to.text(state.ledger.path);
-  to.number(state.ledger.rows);
-  to.number(state.ledger.bytes);
-  to.number(state.ledger.tail);
-  to.end();
-  return to.finish();
+  Head head = Head();
+  each(to, head);
+  each(to, state);
+  memcpy(head.magic, MAGIC, sizeof MAGIC);
+  head.version = VERSION;
+  head.length = static_cast<uint32_t>(to.all.size());
+  head.sum = checksum(to.all.data() + sizeof head, to.all.size() - sizeof head);
+  head.sum_of_head = checksum(&head, offsetof(Head, sum_of_head));
+  memcpy(to.all.data(), &head, sizeof head);
+  return to.all;
 }
 
 WallState asperity::unpack(const char *bytes, size_t available) {
   const Head head = check_head(bytes, available);
-  Reader all("a section", bytes + sizeof head, head.length - sizeof head);
+  Reader from = {bytes + sizeof head, head.length - sizeof head};
   WallState state = WallState();
-  for (uint32_t i = 0; i < head.sections; i++) {
-    Reader part = all.section();
-    if (part.name() == "settings")
-      state.settings = read_settings(part);
-    else if (part.name() == "mesh")
-      state.meshes.push_back(read_mesh(part));
-    else if (part.name() == "bodies")
-      state.bodies = part.numbers();
-    else if (part.name() == "ledger")
-      state.ledger = read_ledger(part);
-    else if (part.name() == "numbers") {
-      state.counters = part.numbers();
-      state.totals = part.numbers();
-      part.numbers(state.d_range, 2);
-      part.numbers(state.clock, 3);
-    } else
-      damaged("section '" + part.name() + "'");
-  }
+  each(from, state);
+  if (from.left > 0)
+    damaged("its length");
   return state;
 }
 

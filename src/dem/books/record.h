@@ -1,6 +1,6 @@
 /* A wall's part of a restart file: a head with a magic number, a version, the length, and
- * checksums, then sections, each with a name and a length. Numbers are in the machine's own form,
- * as in the engines' restart files.
+ * checksums, then the state. Numbers are in the machine's own form, as in the engines' restart
+ * files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_RECORD_H
@@ -25,9 +25,6 @@ Settings clauses(const Settings &settings);
 /* "name NEW, was OLD; ...", of those that differ; empty where all are the same. */
 std::string describe_changes(const Settings &now, const Settings &saved);
 
-/* A number in a setting: equal texts for equal numbers. */
-std::string setting(double value);
-
 struct MeshState {
   std::string id;
   int64_t triangles;
@@ -47,7 +44,8 @@ struct WallState {
   LedgerState ledger;
 };
 
-std::vector<char> pack(const WallState &state);
+/* Does not change the state. */
+std::vector<char> pack(WallState &state);
 
 /* Throws an Error for a record of more bytes than the engines' restart files can hold: they state
  * its length as an int. */

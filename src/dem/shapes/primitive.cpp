@@ -9,7 +9,6 @@
 
 #include "contact/vector.h"
 #include "dem/error.h"
-#include "dem/books/record.h"
 #include "dem/text.h"
 
 using namespace asperity;
