@@ -1,64 +1,121 @@
-/* Models against the geometry; see judge.h.
+/* The reference in the plane of incidence: generated profiles, or a measured one; see judge.h.
+ * Later hits are followed along the path of the particle's center.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
 #include "base/error.h"
+#include "base/units.h"
+#include "spread/line.h"
+#include "surface/closing.h"
+#include "surface/profile.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-size_t aspi_judge_folds(const aspi_judge_case *subject) {
-  return subject->profile ? 2 : 1;
-}
+/* Points per lambda_c of a reference profile, and its length in lambda_c. */
+#define RESOLUTION 64
+#define LENGTH 2048
 
-asp_code aspi_judge_angle_least(const aspi_judge_case *subject, double *degrees, asp_error *error) {
-  *degrees = 0;
-  return subject->profile ? aspi_judge_profile_angle_least(subject, degrees, error) : ASP_OK;
-}
+/* Seeds of reference profiles. Profiles behind models have seeds above 2^30 (first_hits.csv) or
+ * below 2^10 (traced). */
+#define SEED_FIRST 1024
 
-/* ---- what models are made of ---- */
+/* Flights over a generated profile: over itself and its negative, and in both directions. */
+enum { FLIGHTS = 4 };
 
-static asp_code make_fold(aspi_judge_walls *w, const aspi_judge_case *subject, size_t fold,
-                          asp_error *error) {
-  double d_p = subject->d_p;
-  if (subject->profile) {
-    w->profile[fold] = aspi_judge_profile_half(subject->profile, 1 - fold, error);
-    w->surface[fold] =
-        w->profile[fold] ? asp_surface_create_profile(w->profile[fold], d_p, d_p, 1, error) : NULL;
-  } else {
-    w->surface[fold] = asp_surface_create(subject->r_q, subject->lambda_c, error);
+/* ---- one flight ---- */
+
+/* The path of the particle's center over a realization, as one of the flights meets it. */
+static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int flight,
+                            asp_error *error) {
+  double r_q = subject->r_q, lambda_c = subject->lambda_c;
+  uint32_t seed = SEED_FIRST + subject->seed % 1048576 * ASPI_JUDGES_MOST + (uint32_t)number;
+  asp_profile *profile =
+      aspi_profile_create_scaled(r_q, lambda_c, lambda_c / RESOLUTION, (size_t)RESOLUTION * LENGTH,
+                                 seed, flight % 2 ? -1 : 1, error);
+  asp_profile *path = profile ? aspi_profile_rolled(profile, subject->d_p, 1, error) : NULL;
+  asp_profile_free(profile);
+  if (path && flight > 1) {
+    asp_profile *mirrored = aspi_profile_mirrored(path, error);
+    asp_profile_free(path);
+    path = mirrored;
   }
-  return w->surface[fold] ? ASP_OK : error->code;
+  return path;
 }
 
-asp_code aspi_judge_walls_create(aspi_judge_walls *w, const aspi_judge_case *subject,
-                                 asp_error *error) {
-  asp_error own;
-  *w = (aspi_judge_walls){.folds = aspi_judge_folds(subject)};
-  for (size_t fold = 0; fold < w->folds; fold++)
-    if (make_fold(w, subject, fold, &own)) {
-      aspi_judge_walls_free(w);
-      const char *of = subject->profile ? "surface profile: half of it: " : "";
-      return aspi_fail(error, own.code, "%s%.400s", of, own.text);
+/* The line that a flight passes over, as a wall and as segments, and the diameter of the flying
+ * particle: nearly 0 over the path of the center. */
+typedef struct course {
+  asp_wall *wall;
+  aspi_line line;
+  double d_p;
+} course;
+
+static asp_code course_create(course *made, const aspi_judge_case *subject, size_t number,
+                              int flight, asp_error *error) {
+  asp_profile *path = subject->profile ? NULL : path_of(subject, number, flight, error);
+  const asp_profile *over = subject->profile ? subject->profile : path;
+  *made = (course){.d_p = subject->profile ? subject->d_p : 1e-6 * subject->lambda_c};
+  asp_code code =
+      over ? aspi_line_over_profile(&made->line, over, subject->profile ? subject->d_p : 0, error)
+           : error->code;
+  if (!code &&
+      !(made->wall = aspi_judge_wall_over(subject, over, made->d_p, "traced", true, error)))
+    code = error->code;
+  asp_profile_free(path);
+  return code;
+}
+
+static void course_free(course *over) {
+  aspi_line_free(&over->line);
+  asp_wall_free(over->wall);
+}
+
+/* Adds the shares of the line's first hits in bins of one degree, from -90 to 90. */
+static asp_code add_first_hits(const aspi_line *line, double degrees, double part,
+                               aspi_first_hits *first, asp_error *error) {
+  size_t n = line->n;
+  double *weight = calloc(n, sizeof *weight);
+  if (!weight)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu faces", n);
+  aspi_line_first_hits(line, aspi_line_fall(line, aspi_radians(degrees)), weight);
+#pragma omp critical
+  for (size_t i = 0; i < n; i++)
+    if (weight[i] > 0) {
+      double delta = atan(line->slope[i]);
+      first->share[(int)floor(aspi_degrees(delta)) + 90] += part * weight[i];
+      first->mean += part * weight[i] * delta;
     }
+  free(weight);
   return ASP_OK;
 }
 
-void aspi_judge_walls_free(aspi_judge_walls *w) {
-  for (size_t fold = 0; fold < 2; fold++) {
-    asp_surface_free(w->surface[fold]);
-    asp_profile_free(w->profile[fold]);
+/* Adds the rebounds of a group at all angles, and its first hits; called by several threads. */
+static asp_code fly_group(aspi_judge *judge, const aspi_judge_case *subject, const double *degrees,
+                          size_t number, asp_error *error) {
+  int flights = subject->profile ? 1 : FLIGHTS;
+  size_t all = (size_t)flights * subject->groups, rays = subject->rays / all + 1;
+  asp_code code = ASP_OK;
+  for (int flight = 0; flight < flights && !code; flight++) {
+    course over;
+    code = course_create(&over, subject, number, flight, error);
+    for (size_t k = 0; k < judge->count && !code; k++) {
+      uint32_t seed = subject->seed + (uint32_t)number * (uint32_t)flights + (uint32_t)flight;
+      aspi_angles found = aspi_judge_rebounds(over.wall, over.d_p, degrees[k], rays, seed);
+      aspi_angles_merge(&judge->angles[number * judge->count + k], &found);
+      code = add_first_hits(&over.line, degrees[k], 1. / (double)all, &judge->first[k], error);
+    }
+    course_free(&over);
   }
-  *w = (aspi_judge_walls){.folds = 0};
+  return code;
 }
 
-/* ---- the ensemble ---- */
+/* ---- all of them ---- */
 
-asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
-                           const aspi_judge_walls *walls, const double *degrees, size_t count,
-                           asp_error *error) {
+asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject, const double *degrees,
+                           size_t count, asp_error *error) {
   size_t groups = subject->groups, done = 0;
-  *judge = (aspi_judge){.groups = groups, .count = count, .folds = aspi_judge_folds(subject)};
+  *judge = (aspi_judge){.groups = groups, .count = count};
   judge->angles = calloc(groups * count, sizeof *judge->angles);
   judge->first = calloc(count, sizeof *judge->first);
   asp_error worst = {ASP_OK, ""};
@@ -71,7 +128,7 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject,
 #pragma omp critical
     failed = worst.code;
     if (!failed)
-      aspi_judge_fly_profile(judge, subject, walls, degrees, g, &own);
+      fly_group(judge, subject, degrees, g, &own);
 #pragma omp critical
     {
       worst = own.code ? own : worst;
@@ -97,24 +154,8 @@ aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle) {
   return (aspi_angle_groups){judge->angles + angle, judge->groups, judge->count};
 }
 
-/* The groups of one fold. */
-static aspi_angle_groups fold_of(const aspi_judge *judge, size_t angle, size_t fold) {
-  size_t first = judge->groups * fold / judge->folds;
-  size_t end = judge->groups * (fold + 1) / judge->folds;
-  return (aspi_angle_groups){judge->angles + first * judge->count + angle, end - first,
-                             judge->count};
-}
-
 aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const aspi_angles *model,
                                     size_t groups, size_t histogram) {
-  aspi_estimate d = {0, 0};
-  double folds = (double)judge->folds;
-  for (size_t fold = 0; fold < judge->folds; fold++) {
-    size_t first = groups * fold / judge->folds, end = groups * (fold + 1) / judge->folds;
-    aspi_angle_groups own = {model + first, end - first, 1};
-    aspi_estimate of = aspi_angles_divergence(fold_of(judge, angle, fold), own, histogram);
-    d.value += of.value / folds;
-    d.se = hypot(d.se, of.se / folds);
-  }
-  return d;
+  return aspi_angles_divergence(aspi_judge_groups(judge, angle),
+                                (aspi_angle_groups){model, groups, 1}, histogram);
 }

@@ -13,35 +13,27 @@
 /* Probability of a bin that a model leaves empty, in a comparison without sampling. */
 #define LEAST_SHARE 1e-6
 
-asp_wall *aspi_judge_wall(const aspi_judge_walls *walls, size_t fold, double d_p, const char *name,
-                          bool multiple, asp_error *error) {
+asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_profile *profile,
+                               double d_p, const char *name, bool multiple, asp_error *error) {
   aspi_wall_choice choice = aspi_wall_choice_smooth();
+  asp_surface *surface = subject->profile
+                             ? asp_surface_create_profile(subject->profile, d_p, d_p, 1, error)
+                             : asp_surface_create(subject->r_q, subject->lambda_c, error);
   aspi_wall_choose_law(&choice, asp_rebound_find("constant", NULL));
-  choice.surface = walls->surface[fold];
-  choice.profile = walls->profile[fold];
+  choice.surface = surface;
+  choice.profile = profile;
   choice.spread = asp_spread_find(name, NULL);
   choice.sizes = (aspi_sizes){d_p, d_p, 1};
   choice.multiple = multiple;
   choice.deposit = false;
-  return aspi_wall_create(&choice, error);
+  asp_wall *wall = surface ? aspi_wall_create(&choice, error) : NULL;
+  asp_surface_free(surface);
+  return wall;
 }
 
-asp_code aspi_judge_model_create(aspi_judge_model *model, const aspi_judge_walls *walls, double d_p,
-                                 const char *name, bool multiple, asp_error *error) {
-  *model = (aspi_judge_model){.folds = walls->folds};
-  for (size_t fold = 0; fold < walls->folds; fold++) {
-    model->on[fold] = aspi_judge_wall(walls, fold, d_p, name, multiple, error);
-    if (!model->on[fold]) {
-      aspi_judge_model_free(model);
-      return error->code;
-    }
-  }
-  return ASP_OK;
-}
-
-void aspi_judge_model_free(aspi_judge_model *model) {
-  asp_wall_free(model->on[0]);
-  asp_wall_free(model->on[1]);
+asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, bool multiple,
+                          asp_error *error) {
+  return aspi_judge_wall_over(subject, subject->profile, subject->d_p, name, multiple, error);
 }
 
 static const double up[3] = {0, 0, 1};
@@ -71,13 +63,13 @@ aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, double degrees
   return all;
 }
 
-aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject,
-                                       const aspi_judge_model *model, double degrees) {
+aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject, const asp_wall *wall,
+                                       double degrees) {
   size_t groups = subject->groups;
   aspi_angles *angles = calloc(groups, sizeof *angles);
   for (size_t g = 0; angles && g < groups; g++)
-    angles[g] = aspi_judge_rebounds(model->on[model->folds * g / groups], subject->d_p, degrees,
-                                    subject->rays / groups + 1, ~subject->seed - (uint32_t)g);
+    angles[g] = aspi_judge_rebounds(wall, subject->d_p, degrees, subject->rays / groups + 1,
+                                    ~subject->seed - (uint32_t)g);
   return angles;
 }
 
@@ -95,21 +87,18 @@ static double share_between(const asp_wall *wall, double d_p, double alpha1, dou
   return wall->spread->distribution(&view, high) - wall->spread->distribution(&view, low);
 }
 
-double aspi_judge_first_hit(const aspi_first_hits *first, const aspi_judge_model *model, double d_p,
+double aspi_judge_first_hit(const aspi_first_hits *first, const asp_wall *wall, double d_p,
                             double degrees) {
-  if (!model->on[0]->spread->distribution)
-    return NAN;
-  double sum = 0, folds = (double)model->folds;
-  for (size_t fold = 0; fold < model->folds; fold++)
-    for (int i = 0; i < ASPI_ANGLE_BINS; i++) {
-      double share = first->share[fold][i];
-      if (!(share > 0))
-        continue;
-      double p = share_between(model->on[fold], d_p, aspi_radians(degrees), aspi_radians(i - 90),
-                               aspi_radians(i - 89));
-      sum += share * log(folds * share / fmax(p, LEAST_SHARE));
-    }
-  return sum;
+  double sum = 0;
+  for (int i = 0; i < ASPI_ANGLE_BINS && wall->spread->distribution; i++) {
+    double share = first->share[i];
+    if (!(share > 0))
+      continue;
+    double p =
+        share_between(wall, d_p, aspi_radians(degrees), aspi_radians(i - 90), aspi_radians(i - 89));
+    sum += share * log(share / fmax(p, LEAST_SHARE));
+  }
+  return wall->spread->distribution ? sum : NAN;
 }
 
 static double seconds(void) {

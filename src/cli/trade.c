@@ -13,10 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PROFILES_MANY = 16 /* default */, MODELS_MOST = 32 };
-
-/* Length of a piece of a measured profile in lambda_c, unless there would be too few pieces. */
-#define PIECE_LENGTH 25.0
+enum { MODELS_MOST = 32 };
 
 /* A model at one impact angle; degrees. */
 typedef struct judged {
@@ -29,7 +26,7 @@ typedef struct judged {
 
 /* One row: a model at one angle. */
 static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
-                       const aspi_judge_model *model, double angle, size_t i) {
+                       const asp_wall *model, double angle, size_t i) {
   size_t groups = subject->groups;
   aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle), sum = {0};
   if (!angles)
@@ -42,7 +39,7 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
       aspi_angles_mean(aspi_judge_groups(judge, i), offsetof(aspi_angles, rebound_sum));
   free(angles);
   return (judged){.angle = angle,
-                  .cost = aspi_judge_cost(model->on[0], subject->d_p, angle),
+                  .cost = aspi_judge_cost(model, subject->d_p, angle),
                   .first_hit = aspi_judge_first_hit(&judge->first[i], model, subject->d_p, angle),
                   .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value}};
 }
@@ -60,33 +57,27 @@ static size_t list_models(const aspi_judge_case *subject, const asp_spread_model
 static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_case *subject,
                       const asp_spread_model **of, size_t models, judged *rows) {
   bool multiple = cli_choice(cli_get(call, "collisions"));
-  aspi_judge_walls walls;
   aspi_judge judge;
   asp_error error;
   cli_progress progress = cli_progress_begin("ensemble", 1);
   subject->progress = cli_progress_show;
   subject->context = &progress;
-  cli_must(!aspi_judge_walls_create(&walls, subject, &error), &error);
-  cli_must(!aspi_judge_create(&judge, subject, &walls, angles->values, angles->count, &error),
-           &error);
+  cli_must(!aspi_judge_create(&judge, subject, angles->values, angles->count, &error), &error);
   cli_progress_end(&progress);
   progress = cli_progress_begin("models", (double)models);
   for (size_t m = 0; m < models; m++) {
-    aspi_judge_model model;
-    cli_must(!aspi_judge_model_create(&model, &walls, subject->d_p, asp_spread_name(of[m]),
-                                      multiple, &error),
-             &error);
+    asp_wall *model = aspi_judge_wall(subject, asp_spread_name(of[m]), multiple, &error);
+    cli_must(model, &error);
     for (size_t i = 0; i < angles->count; i++) {
       judged *row = &rows[i * models + m];
-      *row = judge_at(subject, &judge, &model, angles->values[i], i);
+      *row = judge_at(subject, &judge, model, angles->values[i], i);
       row->model = of[m];
     }
-    aspi_judge_model_free(&model);
+    asp_wall_free(model);
     cli_progress_show(&progress, (double)m + 1);
   }
   cli_progress_end(&progress);
   aspi_judge_free(&judge);
-  aspi_judge_walls_free(&walls);
 }
 
 /* ---- the models over all angles ---- */
@@ -152,38 +143,6 @@ static void print(FILE *out, const judged *rows, size_t n) {
 
 /* ---- the case ---- */
 
-/* Takes out the angles that pieces of a measured wall are too short for. */
-static void drop_grazing(const aspi_judge_case *subject, const char *given, cli_list *angles) {
-  size_t kept = 0;
-  double least;
-  asp_error error;
-  cli_must(!aspi_judge_angle_least(subject, &least, &error), &error);
-  for (size_t i = 0; i < angles->count; i++)
-    if (angles->values[i] >= least)
-      angles->values[kept++] = angles->values[i];
-  if (kept == 0)
-    cli_bad_usage("--angles is '%s'; some must be over %.2g degrees, the least that pieces of this "
-                  "wall can judge",
-                  given, least);
-  if (kept < angles->count)
-    cli_warn("--angles: those under %.2g degrees are left out; the pieces of the measured wall are "
-             "too short to judge there",
-             least);
-  angles->count = kept;
-}
-
-/* Number of pieces, an even one; about `usual` of them by default. */
-static size_t pieces_of(const cli_option *option, double usual) {
-  if (!option->value)
-    return (size_t)fmin(fmax(2 * floor(usual / 2), ASPI_JUDGES_LEAST), PROFILES_MANY);
-  size_t pieces = cli_whole(option, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST);
-  if (pieces % 2)
-    cli_bad_usage("--%s is '%s'; of a measured wall it must be even, half of the pieces in "
-                  "each half of it",
-                  option->name, option->value);
-  return pieces;
-}
-
 /* Exits where no ensemble of profiles is such a wall. */
 static void check_wall(const asp_description *words) {
   const char *kind = asp_description_word(words, "surface");
@@ -195,30 +154,21 @@ static void check_wall(const asp_description *words) {
                   strcmp(kind, "map") == 0 ? "surface map" : "lay");
 }
 
-/* Also takes out the angles at which the case cannot be judged. */
-static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p,
-                               cli_list *angles) {
+static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   aspi_heights heights;
   asp_error error;
   cli_must(!aspi_heights_read(wall->words, &heights, &error), &error);
-  const asp_profile *profile = heights.profile;
-  const cli_option *ensemble = cli_get(call, "ensemble");
-  aspi_judge_case subject = {.r_q = asp_surface_r_q(surface),
-                             .lambda_c = asp_surface_lambda_c(surface),
-                             .d_p = d_p,
-                             .groups = PROFILES_MANY,
-                             .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
-                             .seed = (uint32_t)asp_description_get(wall->words, "seed"),
-                             .profile = profile};
-  if (profile) {
-    double length = (double)asp_profile_points(profile) * asp_profile_spacing(profile);
-    subject.groups = pieces_of(ensemble, length / subject.lambda_c / PIECE_LENGTH);
-    drop_grazing(&subject, cli_value(call, "angles"), angles);
-  } else if (ensemble->value) {
-    subject.groups = cli_whole(ensemble, ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST);
-  }
-  return subject;
+  if (heights.profile && cli_is_set(call, "ensemble"))
+    cli_bad_usage("--ensemble has no effect on a measured profile, which is the reference itself");
+  return (aspi_judge_case){
+      .r_q = asp_surface_r_q(surface),
+      .lambda_c = asp_surface_lambda_c(surface),
+      .d_p = d_p,
+      .groups = cli_whole(cli_get(call, "ensemble"), ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST),
+      .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
+      .seed = (uint32_t)asp_description_get(wall->words, "seed"),
+      .profile = heights.profile};
 }
 
 /* A diameter for a wall that is the same for all of them, and the most that the seed may be. */
@@ -243,7 +193,7 @@ static void run(cli_call *call) {
   double d_p;
   cli_list angles = cli_angles(cli_get(call, "angles"));
   cli_description wall = read_wall(call, &d_p);
-  aspi_judge_case subject = case_of(call, &wall, d_p, &angles);
+  aspi_judge_case subject = case_of(call, &wall, d_p);
   const cli_option *given = cli_get(call, "tolerance");
   double tolerance = given->value ? cli_number(given, 1e-9, 100) : 0;
   const asp_spread_model *of[MODELS_MOST];
@@ -262,8 +212,7 @@ static const cli_option options[] = {
     {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
     {"tolerance", "D", "name the cheapest model whose D_KL of the rebound angle is below D", NULL},
     {"rays", "N", "impacts per model and angle", "200000"},
-    {"ensemble", "N",
-     "walls in the reference: profiles of 2048 lambda_c [16], or pieces of a measured one", NULL},
+    {"ensemble", "N", "profiles of 2048 lambda_c in the reference", "16"},
     {"collisions", "single|multiple", "one hit, or as many as it takes to leave", "multiple"},
     {.name = NULL}};
 
@@ -275,8 +224,8 @@ static const char detail[] =
     "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
     "error, by the jackknife over the profiles; more --rays and a larger --ensemble make it\n"
     "smaller. --tolerance takes the worst angle, with twice the standard error.\n"
-    "On a measured profile, pieces of one half judge the models made of the other half, and\n"
-    "the other way round; no model is judged by heights it was made from.\n";
+    "On a measured profile the reference is the flight over it, as `traced` has it; how much\n"
+    "its length leaves uncertain is what 'asperity surface' says.\n";
 
 const cli_command cli_trade = {
     .name = "trade",

@@ -48,8 +48,7 @@ static void must(asp_code code) {
 
 /* The divergence of a model; the means of both into `mean`. */
 static aspi_estimate compare(const aspi_judge_case *subject, const aspi_judge *judge,
-                             const aspi_judge_model *model, double degrees, size_t k,
-                             double mean[2]) {
+                             const asp_wall *model, double degrees, size_t k, double mean[2]) {
   size_t groups = subject->groups;
   aspi_angles *angles = aspi_judge_model_rebounds(subject, model, degrees);
   aspi_angle_groups own = {angles, groups, 1};
@@ -65,19 +64,17 @@ static aspi_estimate compare(const aspi_judge_case *subject, const aspi_judge *j
 static void judge_wall(aspi_judge_case subject, const double *angles, size_t n,
                        const double *most) {
   static const char *const names[] = {"visible", "profile", "traced"};
-  aspi_judge_walls walls;
   aspi_judge judge;
-  must(aspi_judge_walls_create(&walls, &subject, &error));
-  must(aspi_judge_create(&judge, &subject, &walls, angles, n, &error));
+  must(aspi_judge_create(&judge, &subject, angles, n, &error));
   for (int m = 0; m < 3; m++) {
     if (!(most[m] > 0))
       continue;
-    aspi_judge_model model;
-    must(aspi_judge_model_create(&model, &walls, subject.d_p, names[m], true, &error));
+    asp_wall *model = aspi_judge_wall(&subject, names[m], true, &error);
+    must(model ? ASP_OK : error.code);
     for (size_t k = 0; k < n; k++) {
       char text[200];
       double mean[2];
-      aspi_estimate d = compare(&subject, &judge, &model, angles[k], k, mean);
+      aspi_estimate d = compare(&subject, &judge, model, angles[k], k, mean);
       snprintf(text, sizeof text,
                "%s on (%g, %g, %g), alpha1 %g: D_KL %.5f +- %.5f, alpha2 %.3f, ensemble %.3f",
                names[m], subject.r_q, subject.lambda_c, subject.d_p, angles[k], d.value, d.se,
@@ -85,15 +82,14 @@ static void judge_wall(aspi_judge_case subject, const double *angles, size_t n,
       verdict(d.value < most[m] + 3 * d.se, text);
       if (m != 1)
         continue;
-      double off = tilt_off(&subject, &judge.first[k], angles[k], model.on[0]);
+      double off = tilt_off(&subject, &judge.first[k], angles[k], model);
       double noise = 0.005 * sqrt(8. / (double)subject.groups); /* of 2048 lambda_c, at 2 degrees */
       snprintf(text, sizeof text, "mean tilt of its first hit: off by %.4f sigma", off);
       verdict(fabs(off) < 0.007 + noise, text);
     }
-    aspi_judge_model_free(&model);
+    asp_wall_free(model);
   }
   aspi_judge_free(&judge);
-  aspi_judge_walls_free(&walls);
 }
 
 int main(int argc, char **argv) {

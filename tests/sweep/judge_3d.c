@@ -172,7 +172,7 @@ asp_code judge_in_space(aspi_judge *judge, const surfaces *subject, const double
                         size_t count, asp_error *error) {
   size_t groups = subject->groups;
   asp_error worst = {ASP_OK, ""};
-  *judge = (aspi_judge){.groups = groups, .count = count, .folds = 1};
+  *judge = (aspi_judge){.groups = groups, .count = count};
   judge->angles = calloc(groups * count, sizeof *judge->angles);
   if (!judge->angles)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for a judge of %zu groups", groups);

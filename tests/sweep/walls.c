@@ -206,7 +206,7 @@ static asp_profile *profile_of(size_t points, uint32_t seed) {
 
 /* Flights over a profile against those over independent profiles, each a realization of its own. */
 static void judge_profile(size_t points, size_t count, double d_p) {
-  aspi_judge all = {count, 3, 1, calloc(3 * count, sizeof(aspi_angles)), NULL};
+  aspi_judge all = {count, 3, calloc(3 * count, sizeof(aspi_angles)), NULL};
   asp_profile *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
   asp_wall *wall = wall_of(surface, own, NULL, "traced", d_p);

@@ -169,10 +169,8 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
   aspi_judge_case subject = {
       .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 200000, .groups = 8, .seed = 2};
-  aspi_judge_walls walls;
   aspi_judge judge;
-  assert_int_equal(aspi_judge_walls_create(&walls, &subject, NULL), ASP_OK);
-  assert_int_equal(aspi_judge_create(&judge, &subject, &walls, angle, 3, NULL), ASP_OK);
+  assert_int_equal(aspi_judge_create(&judge, &subject, angle, 3, NULL), ASP_OK);
   for (size_t i = 0; i < 3; i++) {
     aspi_angle_groups groups = aspi_judge_groups(&judge, i);
     double mean = aspi_angles_mean(groups, offsetof(aspi_angles, rebound_sum)).value;
@@ -183,7 +181,6 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
     assert_near(later, known[i][1], 0.004);
   }
   aspi_judge_free(&judge);
-  aspi_judge_walls_free(&walls);
 }
 
 /* The path of a disc's center over a smooth profile, from few points, against the dilation of the
@@ -300,7 +297,7 @@ static void few_points_across_are_enough(void **state) {
  * latter of which it dilates by points. */
 static void few_points_across_judge_as_many(void **state) {
   (void)state;
-  double share[2][2][ASPI_ANGLE_BINS], mean[2];
+  double share[2][ASPI_ANGLE_BINS], mean[2];
   for (int many = 0; many < 2; many++) {
     asp_profile *measured = plateau(2, many ? ACROSS_FINE : 16);
     aspi_judge_case subject = {.r_q = 0.25,
@@ -310,17 +307,14 @@ static void few_points_across_judge_as_many(void **state) {
                                .groups = 4,
                                .seed = 2,
                                .profile = measured};
-    aspi_judge_walls walls;
     aspi_judge judge;
-    assert_int_equal(aspi_judge_walls_create(&walls, &subject, NULL), ASP_OK);
-    assert_int_equal(aspi_judge_create(&judge, &subject, &walls, few + 1, 1, NULL), ASP_OK);
+    assert_int_equal(aspi_judge_create(&judge, &subject, few + 1, 1, NULL), ASP_OK);
     memcpy(share[many], judge.first->share, sizeof share[many]);
     mean[many] = judge.first->mean / DEGREE;
     aspi_judge_free(&judge);
-    aspi_judge_walls_free(&walls);
     asp_profile_free(measured);
   }
-  double kl = divergence(share[1][0], share[0][0], 2 * ASPI_ANGLE_BINS);
+  double kl = divergence(share[1], share[0], ASPI_ANGLE_BINS);
   print_message("judged: first hits, D_KL %.5f, means %.3f and %.3f deg\n", kl, mean[0], mean[1]);
   assert_true(kl < 0.002);
   assert_near(mean[0], mean[1], 0.03);
