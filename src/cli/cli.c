@@ -17,22 +17,19 @@ static const char *const written[N_WRITTEN] = {"output", "save", "plot"};
 
 static bool is_file(const char *path, const struct stat *file) {
   struct stat found;
-  return path && stat(path, &found) == 0 && found.st_dev == file->st_dev &&
-         found.st_ino == file->st_ino;
+  return stat(path, &found) == 0 && found.st_dev == file->st_dev && found.st_ino == file->st_ino;
 }
 
-/* Exits where an option would replace a file that is read: an argument, or that of --materials. */
+/* Exits where an option would replace a file that is read. */
 static void keep_inputs(const cli_call *call) {
   for (int k = 0; k < N_WRITTEN; k++) {
     const char *path = cli_value(call, written[k]);
     struct stat file;
     if (!path || stat(path, &file) != 0 || !S_ISREG(file.st_mode))
       continue;
-    bool is_read = is_file(cli_value(call, "materials"), &file);
     for (int i = 0; i < call->n_words; i++)
-      is_read = is_read || is_file(call->words[i], &file);
-    if (is_read)
-      cli_bad_usage("--%s is '%s', which is read; it must be another file", written[k], path);
+      if (is_file(call->words[i], &file))
+        cli_bad_usage("--%s is '%s', which is read; it must be another file", written[k], path);
   }
 }
 

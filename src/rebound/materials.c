@@ -1,15 +1,17 @@
-/* Material presets, and a material of a user's own. The presets are for room temperature. Their
+/* Material presets, and materials of a user's own. The presets are for room temperature. Their
  * values are handbook values and those of open tables, not those of the papers on rebound (which
  * state few); of none were all four numbers checked against the source named. All of them are
  * defaults that a user can replace.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/materials.h"
+#include "base/csv.h"
 #include "base/error.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #define HANDBOOK "handbook values"
 
@@ -51,15 +53,6 @@ int asp_material_count(void) {
 
 const asp_material *asp_material_at(int index) {
   return index >= 0 && index < asp_material_count() ? &presets[index] : NULL;
-}
-
-static const char *name_at(int index) {
-  return presets[index].name;
-}
-
-const asp_material *aspi_material_find(const char *name, asp_error *error) {
-  int index = aspi_find_name("material", name, asp_material_count(), name_at, error);
-  return index < 0 ? NULL : &presets[index];
 }
 
 const char *asp_material_name(const asp_material *material) {
@@ -119,4 +112,101 @@ double asp_material_get(const asp_material *material, const char *name) {
   asp_material copy = *material;
   const double *number = number_of(&copy, aspi_word_or_empty(name));
   return number ? *number : NAN;
+}
+
+/* ---- materials of a file ---- */
+
+struct aspi_materials {
+  int count;
+  asp_material **list; /* as in the file */
+};
+
+enum { NAME, MODULUS, POISSON, DENSITY, YIELD, COLUMNS };
+
+static asp_code read_row(aspi_materials *own, const aspi_csv *csv, const int at[COLUMNS],
+                         asp_error *error) {
+  size_t count = (size_t)own->count;
+  const char *name = csv->fields[at[NAME]];
+  if (!*name || strpbrk(name, " \t,;"))
+    return aspi_text_fail(&csv->text, csv->text.line, error,
+                          "the name '%s'; it must be one word without commas", name);
+  if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
+    asp_material **grown = realloc(own->list, (count ? 2 * count : 1) * sizeof *grown);
+    if (!grown)
+      return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu materials", count);
+    own->list = grown;
+  }
+  asp_material *m = asp_material_create(name, error);
+  if (!m)
+    return ASP_ENOMEM;
+  own->list[own->count++] = m;
+  bool no_yield;
+  asp_code code;
+  if ((code = aspi_csv_number(csv, at[MODULUS], 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
+      (code = aspi_csv_number(csv, at[POISSON], -1, 0.5, &m->poissons_ratio, NULL, error)) ||
+      (code = aspi_csv_number(csv, at[DENSITY], 1e-300, 1e300, &m->density, NULL, error)) ||
+      (code = aspi_csv_number(csv, at[YIELD], 0, 1e300, &m->yield_stress, &no_yield, error)))
+    return code;
+  m->yield_stress = no_yield ? 0 : m->yield_stress;
+  return ASP_OK;
+}
+
+static asp_code read_rows(aspi_materials *own, aspi_csv *csv, asp_error *error) {
+  static const char *const names[COLUMNS] = {"name", "youngs_modulus_pa", "poissons_ratio",
+                                             "density_kg_m3", "yield_stress_pa"};
+  int at[COLUMNS] = {[YIELD] = aspi_csv_find(csv, names[YIELD])};
+  for (int i = 0; i < YIELD; i++)
+    if ((at[i] = aspi_csv_need(csv, names[i], error)) < 0)
+      return ASP_EDATA;
+  for (bool found;;) {
+    asp_code code = aspi_csv_row(csv, &found, error);
+    if (!code && found)
+      code = read_row(own, csv, at, error);
+    if (code || !found)
+      return code;
+  }
+}
+
+aspi_materials *aspi_materials_read(const char *path, asp_error *error) {
+  aspi_csv *csv = aspi_csv_open(path, error);
+  if (!csv)
+    return NULL;
+  aspi_materials *own = calloc(1, sizeof *own);
+  asp_code code = own ? read_rows(own, csv, error)
+                      : aspi_fail(error, ASP_ENOMEM, "out of memory for materials");
+  aspi_csv_close(csv);
+  if (!code)
+    return own;
+  aspi_materials_free(own);
+  return NULL;
+}
+
+void aspi_materials_free(aspi_materials *materials) {
+  for (int i = 0; materials && i < materials->count; i++)
+    free(materials->list[i]);
+  if (materials)
+    free(materials->list);
+  free(materials);
+}
+
+const asp_material *aspi_materials_find(const aspi_materials *own, const char *name,
+                                        asp_error *error) {
+  const asp_material *found = NULL;
+  char list[2000] = "";
+  int mine = own ? own->count : 0;
+  name = aspi_word_or_empty(name);
+  for (int i = 0; i < mine + asp_material_count(); i++) {
+    const asp_material *m = i < mine ? own->list[i] : &presets[i - mine];
+    bool is_it = strcasecmp(m->name, name) == 0;
+    if (is_it && found && i < mine) {
+      aspi_fail(error, ASP_EDATA, "material '%.100s' is there twice in the file", name);
+      return NULL;
+    }
+    found = is_it && !found ? m : found;
+    if (!found && strlen(list) + strlen(m->name) + 2 < sizeof list)
+      aspi_append(list, sizeof list, "%s%s", *list ? " " : "", m->name);
+  }
+  if (!found)
+    aspi_fail_unknown(error, "material", name, list);
+  return found;
 }

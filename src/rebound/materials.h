@@ -28,20 +28,16 @@ struct asp_pair {
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:
  * under a line of column names name, youngs_modulus_pa, poissons_ratio, density_kg_m3, and where
- * wanted title, yield_stress_pa (empty: none) and source. Columns are separated by commas,
- * semicolons, tabs or blanks; # begins a comment. The message names file and line. */
+ * wanted yield_stress_pa (empty: none); other columns are left out. Columns are separated by
+ * commas, semicolons, tabs or blanks; # begins a comment. The message names file and line. */
 typedef struct aspi_materials aspi_materials;
 aspi_materials *aspi_materials_read(const char *path, asp_error *error);
 void aspi_materials_free(aspi_materials *materials);
-int aspi_materials_count(const aspi_materials *materials);
-const asp_material *aspi_materials_at(const aspi_materials *materials, int index);
 
-/* The material of that name: of your own (NULL: none), which go before presets of the same name, or
- * of the presets. NULL and a message that lists the names, when there is none. */
+/* The material of that name, in upper or lower case: of your own (NULL: none), which go before
+ * presets of the same name, or of the presets. NULL and a message that lists the names where there
+ * is none, or one that says that your own file has it twice. */
 const asp_material *aspi_materials_find(const aspi_materials *own, const char *name,
                                         asp_error *error);
-
-/* The preset of that name. */
-const asp_material *aspi_material_find(const char *name, asp_error *error);
 
 #endif

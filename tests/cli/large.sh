@@ -27,8 +27,8 @@ awk 'BEGIN { print "name,youngs_modulus_pa,poissons_ratio,density_kg_m3"; for (i
 limited cor materials ard m999999 file materials --angles 45 --samples 2 > out || die "materials"
 [ "$(wc -l < out)" = 4 ] || die "materials: $(cat out)"
 echo m500000,7e10,0.2,2000 >> materials
-limited cor materials ard m1 file materials 2> err && die "a name that is there twice"
-grep -q "materials:1000002: material 'm500000' a second time" err || die "a name that is there twice: $(cat err)"
+limited cor materials ard m500000 file materials 2> err && die "a name that is there twice"
+grep -q "'m500000' is there twice" err || die "a name that is there twice: $(cat err)"
 awk 'BEGIN { print "alpha1_deg,v1_m_s,cor_n,cor_t"; for (i = 0; i < 1000; i++) for (k = 0; k < 200; k++) print 0.09 * i "," k ",0.5,0.5" }' > table
 limited cor rebound table table --angles 45 > out || die "table"
 exit 0

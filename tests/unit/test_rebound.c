@@ -7,7 +7,7 @@
 
 static asp_pair pair_of(const char *particle, const char *wall, double gamma, double mu) {
   asp_pair *made =
-      asp_pair_create(aspi_material_find(particle, NULL), aspi_material_find(wall, NULL), NULL);
+      asp_pair_create(aspi_materials_find(NULL, particle, NULL), aspi_materials_find(NULL, wall, NULL), NULL);
   assert_non_null(made);
   assert_int_equal(asp_pair_set(made, "surface_energy", gamma, NULL), ASP_OK);
   assert_int_equal(asp_pair_set(made, "friction", mu, NULL), ASP_OK);
@@ -220,7 +220,7 @@ static void materials_of_ones_own(void **state) {
 static void pairs_are_checked(void **state) {
   (void)state;
   asp_error error;
-  const asp_material *quartz = aspi_material_find("quartz", NULL);
+  const asp_material *quartz = aspi_materials_find(NULL, "quartz", NULL);
   asp_material *m = asp_material_create("unset", NULL);
   assert_null(asp_pair_create(m, quartz, &error));
   assert_non_null(strstr(error.text, "Young's modulus of the particle is 0; it must be"));
@@ -290,7 +290,7 @@ static void names_are_listed(void **state) {
     assert_non_null(strstr(error.text, asp_rebound_at(i)->name));
     assert_ptr_equal(asp_rebound_find(asp_rebound_at(i)->name, NULL), asp_rebound_at(i));
   }
-  assert_null(aspi_material_find("unobtainium", &error));
+  assert_null(aspi_materials_find(NULL, "unobtainium", &error));
   assert_non_null(strstr(error.text, "unobtainium"));
   assert_non_null(strstr(error.text, "hastelloy-x"));
   assert_true(aspi_rebound_parameter_find(asp_rebound_find("constant", NULL), "cor_x") < 0);
