@@ -31,14 +31,14 @@ static size_t count_below(const aspi_scatter *impacts, double angle) {
   return low;
 }
 
+/* An unknown one is near any. */
 static bool is_near(double is, double wanted, double share) {
-  return isnan(wanted) || fabs(is - wanted) <= share * wanted;
+  return isnan(is - wanted) || fabs(is - wanted) <= share * wanted;
 }
 
 static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
-  return fabs(a->degrees - b->degrees) <= SAME_ANGLE &&
-         (isnan(a->v1) || is_near(a->v1, b->v1, SAME_SHARE)) &&
-         (isnan(a->d_p) || is_near(a->d_p, b->d_p, SAME_SHARE));
+  return fabs(a->degrees - b->degrees) <= SAME_ANGLE && is_near(a->v1, b->v1, SAME_SHARE) &&
+         is_near(a->d_p, b->d_p, SAME_SHARE);
 }
 
 /* ---- the bins' rows ---------------------------------------------------------------------------

@@ -27,23 +27,16 @@ static inline double aspi_scatter_interval(const aspi_scatter_row *row, double w
 }
 
 /* How rebounds were seen: in the plane of incidence, as by one camera from the side, so that CoR_T
- * has a sign; in space, where it is of the whole speed along the wall; or not stated. */
-typedef enum aspi_rebound_view {
-  ASPI_IN_PLANE,
-  ASPI_IN_SPACE,
-  ASPI_IN_EITHER,
-  ASPI_VIEWS
-} aspi_rebound_view;
+ * has a sign; or in space, where it is of the whole speed along the wall. */
+typedef enum aspi_rebound_view { ASPI_IN_PLANE, ASPI_IN_SPACE, ASPI_VIEWS } aspi_rebound_view;
 
 typedef struct aspi_scatter {
   aspi_scatter_row *rows;
-  size_t count, deposits;                /* deposits: rows that are one */
-  bool means;                            /* rows are means, not impacts */
-  bool has_speed, has_size, has_outcome; /* there are such columns */
-  bool rough;                            /* some local wall was tilted */
-  bool sideways;                         /* some went out of the plane of incidence */
+  size_t count, deposits;   /* deposits: rows that are one */
+  bool means;               /* rows are means, not impacts */
+  bool has_speed, has_size; /* of some rows they are known */
+  bool has_outcome;         /* there is such a column */
   aspi_rebound_view view;
-  char comment[1024]; /* the file's first comment */
 } aspi_scatter;
 
 #endif

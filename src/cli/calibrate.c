@@ -108,9 +108,7 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   asp_error error;
   const cli_option *samples = cli_get(call, "samples");
   double width = cli_number(cli_get(call, "bin"), 0.1, 90);
-  c->data = cli_scatter_read_data(path, cli_get(call, "view"));
-  cli_scatter_need_view(path, &c->data,
-                        !c->smooth && strcmp(asp_description_word(c->words, "tilt"), "plane") != 0);
+  c->data = cli_scatter_read_data(path);
   c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)
@@ -363,7 +361,6 @@ static const cli_option options[] = {
      "sd of the measured impact angles, of the rebound angles [the same], and of the speeds as a "
      "share of them",
      "0"},
-    SCATTER_OPTION,
     {"bin", "DEGREES", "width of the bins of impacts", "5"},
     {"samples", "N",
      "simulated impacts per bin; by default 10 for each measured one, 2000 to 20000", NULL},

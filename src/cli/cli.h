@@ -14,9 +14,6 @@
 
 #include <stdio.h>
 
-/* Impact angles in degrees that are all below this may be radians. */
-#define CLI_RADIANS_MOST 1.6
-
 /* One option of a command. A table of them ends with a NULL name. */
 typedef struct cli_option {
   const char *name;     /* without the dashes */

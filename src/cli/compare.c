@@ -91,44 +91,19 @@ static void warn_no_score(const aspi_comparison *c) {
         c->names[1], ASPI_SCORED_LEAST);
 }
 
-/* Warns if the comment that the impacts begin with names a fitted law or constant. */
-static void warn_double(const aspi_scatter *impacts) {
-  static const char *const fitted[] = {"grant_tabakoff", "rebound table", "yield_rate"};
-  for (size_t i = 0; impacts->rough && i < sizeof fitted / sizeof *fitted; i++)
-    if (strstr(impacts->comment, fitted[i])) {
-      cli_warn("the impacts are from a rough wall with '%s', which was fitted to measurements: "
-               "roughness is counted twice",
-               fitted[i]);
-      return;
-    }
-}
-
-/* Impacts of a file without speeds or sizes are taken for those of any. */
-static void leave_out(aspi_comparison *c) {
-  bool speeds = false, sizes = false;
-  for (size_t i = 0; i < c->impacts.count && !(speeds && sizes); i++) {
-    speeds = speeds || isfinite(c->impacts.rows[i].v1);
-    sizes = sizes || isfinite(c->impacts.rows[i].d_p);
-  }
-  bool no_speeds = c->data.has_speed && !speeds, no_sizes = c->data.has_size && !sizes;
-  if (no_speeds || no_sizes)
-    cli_warn("%s: no %s of impacts in it; those of the data are not looked at", c->names[0],
-             no_speeds && no_sizes ? "speeds and sizes"
-             : no_speeds           ? "speeds"
-                                   : "sizes");
-  for (size_t i = 0; i < c->data.count; i++) {
-    c->data.rows[i].v1 = no_speeds ? NAN : c->data.rows[i].v1;
-    c->data.rows[i].d_p = no_sizes ? NAN : c->data.rows[i].d_p;
-  }
-  c->data.has_speed = c->data.has_speed && speeds;
-  c->data.has_size = c->data.has_size && sizes;
+/* Impacts without a speed or a size are taken for those of any. */
+static void warn_unknown(const aspi_comparison *c) {
+  static const char text[] = "%s: no %s of impacts in it; those of the data are not looked at";
+  if (c->data.has_speed && !c->impacts.has_speed)
+    cli_warn(text, c->names[0], "speeds");
+  if (c->data.has_size && !c->impacts.has_size)
+    cli_warn(text, c->names[0], "sizes");
 }
 
 /* ---- the command ---- */
 
 /* Impacts as the data look at them. */
 static void take_view(aspi_comparison *c) {
-  cli_scatter_need_view(c->names[1], &c->data, c->impacts.sideways);
   if (c->data.view != ASPI_IN_SPACE)
     return;
   size_t missing = 0;
@@ -152,11 +127,9 @@ static void make_bins(aspi_comparison *c, cli_call *call) {
 }
 
 static void table_impacts(aspi_comparison *c, cli_call *call) {
-  static const char *const of_data[] = {"near", "view"};
   asp_error error;
-  for (int i = 0; i < 2; i++)
-    if (cli_is_set(call, of_data[i]))
-      cli_bad_usage("--%s has no effect without DATA", of_data[i]);
+  if (cli_is_set(call, "near"))
+    cli_bad_usage("--near has no effect without DATA");
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   c->data = c->impacts;
   c->data.has_outcome = true;
@@ -169,14 +142,13 @@ static void compare_with(aspi_comparison *c, cli_call *call) {
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
   cli_few(cli_get(call, "near"), 0, 90, 3, far);
-  c->data = cli_scatter_read_data(c->names[1], cli_get(call, "view"));
-  leave_out(c);
+  c->data = cli_scatter_read_data(c->names[1]);
+  warn_unknown(c);
   take_view(c);
   make_bins(c, call);
   cli_must(!aspi_compare_fill(c, &(aspi_compare_reach){far[0], far[1], far[2]}, &error), &error);
   check_bins(c);
   warn_no_score(c);
-  warn_double(&c->impacts);
 }
 
 /* ---- the run ---- */
@@ -201,7 +173,6 @@ static const cli_option options[] = {{"bin", "DEGREES",
                                       "a place without simulated impacts takes those within this "
                                       "distance: degrees, shares of speed and size",
                                       FAR},
-                                     SCATTER_OPTION,
                                      {.name = NULL}};
 
 static const char detail[] =

@@ -29,10 +29,6 @@
 /* Noise makes no rebound so many times as fast as the impact. */
 #define FASTER_MOST 10
 
-/* Tangential speeds in space and in the plane that differ by more, as a share of v1, are of a
- * rebound to the side: a ledger's numbers are rounded. */
-#define SIDEWAYS 1e-3
-
 /* What stands before the name of the units in a ledger's comment. */
 #define UNITS "; units "
 
@@ -45,16 +41,12 @@ static const struct {
     [V1] = {"v1 impact_velocity impact_speed", SPEED, 0, LARGE},
     [ALPHA2 + ASPI_IN_PLANE] = {"alpha2_plane alpha_2_plane", ANGLE, -BELOW_MOST, 2 * RIGHT_ANGLE},
     [ALPHA2 + ASPI_IN_SPACE] = {"alpha2_space alpha_2_space", ANGLE, -BELOW_MOST, RIGHT_ANGLE},
-    [ALPHA2 + ASPI_IN_EITHER] = {"alpha2 alpha_2", ANGLE, -BELOW_MOST, 2 * RIGHT_ANGLE},
     [V2 + ASPI_IN_PLANE] = {"v2_plane", SPEED, 0, LARGE},
-    [V2 + ASPI_IN_SPACE] = {"v2_space", SPEED, 0, LARGE},
-    [V2 + ASPI_IN_EITHER] = {"v2", SPEED, 0, LARGE},
+    [V2 + ASPI_IN_SPACE] = {"v2_space v2", SPEED, 0, LARGE}, /* v2: as a ledger has it */
     [COR_ALPHA + ASPI_IN_PLANE] = {"cor_alpha_plane", RATIO, -LARGE, LARGE},
     [COR_ALPHA + ASPI_IN_SPACE] = {"cor_alpha_space", RATIO, -LARGE, LARGE},
-    [COR_ALPHA + ASPI_IN_EITHER] = {"cor_alpha", RATIO, -LARGE, LARGE},
     [COR_V + ASPI_IN_PLANE] = {"cor_v_plane", RATIO, 0, LARGE},
     [COR_V + ASPI_IN_SPACE] = {"cor_v_space", RATIO, 0, LARGE},
-    [COR_V + ASPI_IN_EITHER] = {"cor_v", RATIO, 0, LARGE},
     [V1_N] = {"v1_n", SPEED, -LARGE, LARGE},
     [V1_T] = {"v1_t", SPEED, -LARGE, LARGE},
     [V2_N] = {"v2_n", SPEED, -LARGE, LARGE},
@@ -71,7 +63,6 @@ static const struct {
     [D_P] = {"dp d_p diameter particle_diameter", LENGTH, 0, LARGE},
     [RADIUS] = {"radius particle_radius", LENGTH, 0, LARGE},
     [OUTCOME] = {"outcome", RATIO, 0, 0},
-    [DELTA_ALPHA] = {"delta_alpha", ANGLE, -RIGHT_ANGLE, RIGHT_ANGLE},
     [MESH] = {"mesh", RATIO, 0, INT_MAX},
     [TRIANGLE] = {"triangle", RATIO, 0, INT_MAX},
     [MASS] = {"mass", OF_MASS, 0, LARGE},
@@ -284,8 +275,9 @@ static form find_form(cli_scatter *t) {
   if (!f.components)
     cli_scatter_need(t, ALPHA1, "");
   if (impacts == f.means)
-    cli_bad_usage("%s: %s; impacts are columns alpha1,v1,alpha2,v2 or cor_v,cor_alpha, with "
-                  "both of _plane or of _space, or v1_n,v1_t,v2_n,v2_t or cor_n,cor_t; means are "
+    cli_bad_usage("%s: %s; impacts are columns alpha1,v1,alpha2_plane,v2_plane or alpha1,"
+                  "cor_v_plane,cor_alpha_plane (one camera), both alike of _space, or "
+                  "v1_n,v1_t,v2_n,v2_t or cor_n,cor_t; means are "
                   "cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd",
                   t->csv->text.path,
                   impacts ? "both impacts and means" : "neither impacts nor means");
@@ -326,11 +318,11 @@ static aspi_scatter_row row_of(const form *f, const double v[]) {
   return row;
 }
 
-/* CoR_T of the whole speed along the wall; the speed in a ledger is that in space. */
-static double cor_t_space(const cli_scatter *t, const double v[], const aspi_scatter_row *row) {
+/* CoR_T of the whole speed along the wall. */
+static double cor_t_space(const double v[], const aspi_scatter_row *row) {
   double alpha = aspi_radians(row->degrees), normal = row->cor[COR_N] * sin(alpha);
-  double v2 = v[V2 + (t->is_ledger ? ASPI_IN_EITHER : ASPI_IN_SPACE)];
-  double share = isnan(v[COR_V + ASPI_IN_SPACE]) ? v2 / v[V1] : v[COR_V + ASPI_IN_SPACE];
+  double ratio = v[COR_V + ASPI_IN_SPACE];
+  double share = isnan(ratio) ? v[V2 + ASPI_IN_SPACE] / v[V1] : ratio;
   double square = share * share - normal * normal;
   return isnan(row->cor[COR_T]) ? NAN : sqrt(square < 0 ? 0 : square) / cos(alpha);
 }
@@ -370,7 +362,7 @@ static int by_place(const void *left, const void *right) {
 /* Reads the rows; warns of those that noise put below the wall, and of those that are left out. */
 static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
   const char *path = t->csv->text.path;
-  double v[SCATTER_COLUMNS], most = 0;
+  double v[SCATTER_COLUMNS];
   size_t below = 0, empty = 0;
   while (cli_scatter_row(t, v)) {
     aspi_scatter_row row = row_of(f, v);
@@ -378,11 +370,9 @@ static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter
     row.deposit = !f->means && (s->has_outcome ? v[OUTCOME] > 0 : n <= 0 && n >= 0);
     if (row.deposit)
       row.cor[COR_N] = row.cor[COR_T] = NAN;
-    row.cor_t_space = cor_t_space(t, v, &row);
-    double aside = row.cor_t_space - fabs(row.cor[COR_T]);
-    s->sideways = s->sideways || aside * cos(aspi_radians(row.degrees)) > SIDEWAYS;
-    s->rough = s->rough || fabs(v[DELTA_ALPHA]) > 0;
-    most = fmax(most, row.degrees);
+    row.cor_t_space = cor_t_space(v, &row);
+    s->has_speed = s->has_speed || isfinite(row.v1);
+    s->has_size = s->has_size || isfinite(row.d_p);
     below += row.cor[COR_N] < 0;
     if (measured)
       mend(t->csv, &row);
@@ -397,28 +387,21 @@ static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter
   if (empty > 0)
     cli_warn("%s: %zu of %zu rows have neither coefficient nor outcome and are left out", path,
              empty, empty + s->count);
-  if (s->count > 0 && most < CLI_RADIANS_MOST)
-    cli_warn("%s: all impact angles are below %g degrees, which look like radians", path,
-             CLI_RADIANS_MOST);
 }
 
 /* Reads all rows, in order. */
 static aspi_scatter read(cli_scatter *t, bool measured) {
   form f = find_form(t);
-  aspi_scatter s = {.means = f.means,
-                    .has_speed = has(t, V1) || f.components,
-                    .has_size = has(t, D_P) || has(t, RADIUS),
-                    .has_outcome = has(t, OUTCOME)};
+  aspi_scatter s = {.means = f.means, .has_outcome = has(t, OUTCOME)};
   bool plane = f.means || f.points || f.components;
   s.view = plane ? ASPI_IN_PLANE : f.ratios < ASPI_VIEWS ? f.ratios : f.velocities;
-  snprintf(s.comment, sizeof s.comment, "%.1000s", t->csv->comment);
   read_rows(t, &f, measured, &s);
   qsort(s.rows, s.count, sizeof *s.rows, by_place);
   return s;
 }
 
 aspi_scatter cli_scatter_read_impacts(const char *path) {
-  cli_scatter t = cli_scatter_open(path, DELTA_ALPHA + 1);
+  cli_scatter t = cli_scatter_open(path, MESH);
   cli_scatter_need(&t, ALPHA1, "");
   if (t.at[POINT + COR_T] < 0)
     cli_scatter_need(&t, POINT,
@@ -431,26 +414,10 @@ aspi_scatter cli_scatter_read_impacts(const char *path) {
   return s;
 }
 
-aspi_scatter cli_scatter_read_data(const char *path, const cli_option *view) {
-  cli_scatter t = cli_scatter_open(path, DELTA_ALPHA + 1);
+aspi_scatter cli_scatter_read_data(const char *path) {
+  cli_scatter t = cli_scatter_open(path, MESH);
   aspi_scatter s = read(&t, true);
   if (s.count == 0)
     cli_bad_usage("%s: no row of data", path);
-  if (view->value && s.view != ASPI_IN_EITHER)
-    cli_bad_usage("--view is '%s'; the columns of %s say it themselves", view->value, path);
-  if (view->value)
-    s.view = cli_choice(view) ? ASPI_IN_SPACE : ASPI_IN_PLANE;
   return s;
-}
-
-void cli_scatter_need_view(const char *path, aspi_scatter *data, bool matters) {
-  if (data->view == ASPI_IN_EITHER && matters)
-    cli_bad_usage(
-        "%s: are speed and angle of rebounds those in the plane of incidence, as one camera "
-        "sees them, or those in space? Name the columns v2_plane, alpha2_plane or "
-        "v2_space, alpha2_space (cor_v, cor_alpha alike), or give --view plane or --view "
-        "space",
-        path);
-  if (data->view == ASPI_IN_EITHER)
-    data->view = ASPI_IN_PLANE;
 }

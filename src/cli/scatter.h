@@ -9,7 +9,8 @@
 #include "base/csv.h"
 #include "cli/cli.h"
 
-/* Columns. Those of a rebound's velocity are there once for each view: V2 + ASPI_IN_PLANE. */
+/* Columns. Those of a rebound's velocity are there once for each view: V2 + ASPI_IN_PLANE. Those
+ * from MESH on are of ledgers only. */
 enum {
   ALPHA1,
   V1,
@@ -29,7 +30,6 @@ enum {
   D_P,
   RADIUS,
   OUTCOME, /* 1 for a deposit, else 0 */
-  DELTA_ALPHA,
   MESH,
   TRIANGLE,
   MASS,
@@ -56,33 +56,25 @@ void cli_scatter_need(cli_scatter *table, int column, const char *hint);
  * file, which is closed. */
 bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
 
-/* Impacts of a model or a simulation, which have coefficients; and measured data of any form, by
- * default with the view of an option. Both in order of angle, speed and size. */
+/* Impacts of a model or a simulation, which have coefficients; and measured data of any form. Both
+ * in order of angle, speed and size. */
 aspi_scatter cli_scatter_read_impacts(const char *path);
-aspi_scatter cli_scatter_read_data(const char *path, const cli_option *view);
+aspi_scatter cli_scatter_read_data(const char *path);
 
-/* Exits where the data do not say how they look at rebounds, and it makes a difference. */
-void cli_scatter_need_view(const char *path, aspi_scatter *data, bool matters);
-
-/* The option of commands that read data, and the part of their help about the columns. */
-#define SCATTER_OPTION                                                                             \
-  {                                                                                                \
-    "view", "plane|space",                                                                         \
-        "velocity of v2, alpha2, cor_v, cor_alpha in the data, if their names do not say it", NULL \
-  }
+/* The part of a command's help about the columns. */
 #define SCATTER_FORMS                                                                              \
   "DATA is CSV (- is standard input). A name may carry its unit: alpha1_deg or alpha1_rad,\n"      \
   "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. An\n"    \
   "angle without a unit is in degrees, with a warning, a speed in m/s; a length must have one.\n"  \
   "Titles and `sep=;` may precede the names; e_n and e_t are cor_n and cor_t, _std and _sem are\n" \
   "_sd and _se, radius is half of dp. The command takes these columns, where they are there:\n"    \
-  "  impacts  alpha1, v1, alpha2, v2 | v1_n, v1_t, v2_n, v2_t | alpha1, cor_v, cor_alpha |\n"      \
-  "           alpha1, cor_n, cor_t; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
+  "  impacts  alpha1, v1, alpha2_plane, v2_plane | alpha1, cor_v_plane, cor_alpha_plane |\n"       \
+  "           v1_n, v1_t, v2_n, v2_t | alpha1, cor_n, cor_t; with outcome (rebound or\n"           \
+  "           deposit), cor_n_se, cor_t_se\n"                                                      \
   "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \
-  "and v1, dp with either. Give a polynomial by points on it, as means. If the wall throws\n"      \
-  "particles to the side, alpha2, v2, cor_v and cor_alpha must say which velocity they belong\n"   \
-  "to: alpha2_plane, v2_plane and so on to that in the plane of incidence, as one camera sees\n"   \
-  "it; alpha2_space (0 to 90 degrees from the wall), v2_space and so on to that in space.\n"       \
+  "and v1, dp with either. Give a polynomial by points on it, as means. _plane is the velocity\n"  \
+  "in the plane of incidence, as one camera sees it; that in space is alpha2_space (0 to 90\n"     \
+  "degrees from the wall), v2_space, cor_v_space and cor_alpha_space.\n"                           \
   "Rebounds that noise put below the wall are mirrored at it.\n"
 
 #endif

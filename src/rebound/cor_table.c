@@ -42,15 +42,8 @@ static bool same(double a, double b) {
   return !(a < b || a > b);
 }
 
-static asp_code check_point(const aspi_cor_point *p, asp_error *error) {
-  double sine = sin(p->alpha1), cosine = cos(p->alpha1);
-  asp_code code;
-  if ((code = aspi_check_range(error, "speed", "", p->speed, 0, INFINITY)) ||
-      (code = aspi_check_range(error, "impact angle", "degrees", p->alpha1 * DEGREES, 0, 90)) ||
-      (code = aspi_check_range(error, "cor_n", "", p->cor_n, 0, 1e9)) ||
-      (code = aspi_check_range(error, "cor_t", "", p->cor_t, -1e9, 1e9)))
-    return code;
-  double energy = pow(p->cor_n * sine, 2) + pow(p->cor_t * cosine, 2);
+static asp_code check_energy(const aspi_cor_point *p, asp_error *error) {
+  double energy = pow(p->cor_n * sin(p->alpha1), 2) + pow(p->cor_t * cos(p->alpha1), 2);
   if (energy <= ENERGY_MOST)
     return ASP_OK;
   return aspi_fail(error, ASP_EARG,
@@ -127,9 +120,6 @@ aspi_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count
     aspi_fail(error, ASP_EDATA, "a table of coefficients without a row");
     return NULL;
   }
-  for (size_t i = 0; i < count; i++)
-    if (check_point(&points[i], error))
-      return NULL;
   aspi_cor_point *sorted = malloc(count * sizeof *sorted);
   aspi_cor_table *table = NULL;
   size_t n_angles = 1;
@@ -167,21 +157,19 @@ typedef struct columns {
 
 static asp_code read_point(const aspi_csv *csv, const columns *at, double meter_per_second,
                            aspi_cor_point *p, asp_error *error) {
-  bool no_speed;
-  double degrees;
+  double degrees, speed = 0;
   asp_error wrong;
   asp_code code;
   if ((code = aspi_csv_number(csv, at->angle, 0, 90, &degrees, NULL, error)) ||
       (code = aspi_csv_number(csv, at->cor_n, 0, 1e9, &p->cor_n, NULL, error)) ||
       (code = aspi_csv_number(csv, at->cor_t, -1e9, 1e9, &p->cor_t, NULL, error)) ||
-      (code = aspi_csv_number(csv, at->speed, 0, 1e9, &p->speed, at->speed < 0 ? &no_speed : NULL,
-                              error)))
+      (at->speed >= 0 && (code = aspi_csv_number(csv, at->speed, 0, 1e9, &speed, NULL, error))))
     return code;
-  p->speed = at->speed < 0 ? 0 : p->speed * meter_per_second;
+  p->speed = speed * meter_per_second;
   p->alpha1 = fmin(degrees / DEGREES, ASP_PI / 2);
-  if (check_point(p, &wrong))
-    return aspi_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text);
-  return ASP_OK;
+  return check_energy(p, &wrong)
+             ? aspi_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text)
+             : ASP_OK;
 }
 
 /* All points of the file, to be freed by the caller; NULL on error. */
@@ -214,26 +202,14 @@ static aspi_cor_point *read_points(aspi_csv *csv, double meter_per_second, size_
   return NULL;
 }
 
-static bool looks_like_radians(const aspi_cor_point *points, size_t count) {
-  for (size_t i = 0; i < count; i++)
-    if (points[i].alpha1 * DEGREES >= 1.6)
-      return false;
-  return count > 0;
-}
-
 aspi_cor_table *aspi_cor_table_read(const char *path, double meter_per_second, asp_error *error) {
   aspi_csv *csv = aspi_csv_open(path, error);
   size_t count = 0;
   aspi_cor_point *points = csv ? read_points(csv, meter_per_second, &count, error) : NULL;
   aspi_cor_table *table = NULL;
   asp_error wrong;
-  if (points && looks_like_radians(points, count)) {
-    aspi_fail(error, ASP_EDATA, "%.200s: all angles are below 1.6; alpha1_deg is in degrees", path);
-  } else if (points) {
-    table = aspi_cor_table_create(points, count, &wrong);
-    if (!table)
-      aspi_fail(error, wrong.code, "%.150s: %.300s", path, wrong.text);
-  }
+  if (points && !(table = aspi_cor_table_create(points, count, &wrong)))
+    aspi_fail(error, wrong.code, "%.150s: %.300s", path, wrong.text);
   free(points);
   aspi_csv_close(csv);
   return table;

@@ -18,11 +18,11 @@ aspi_cor_table *aspi_cor_table_copy(const aspi_cor_table *table); /* NULL when o
 
 typedef struct aspi_cor_point {
   double speed, alpha1; /* >= 0; 0 to pi/2 */
-  double cor_n, cor_t;  /* >= 0; any sign. Together they make no energy */
+  double cor_n, cor_t;  /* >= 0; any sign; together they make no energy */
 } aspi_cor_point;
 
 /* A table of points in any order: at least two angles, every angle at every speed, each once. NULL
- * on error: ASP_EARG for a point out of range, ASP_EDATA for two points in one place or a gap. */
+ * on error: ASP_EDATA for two points in one place or a gap. */
 aspi_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count, asp_error *error);
 
 /* The coefficients at a speed and an impact angle (rad). No allocation, no failure. */

@@ -109,7 +109,6 @@ for view in plane space; do
   "$asperity" calibrate seen rebound constant fit=0.6 fit=0.6 surface sigma fit --speed 1 --noise 0,$([ $view = plane ] && echo 3 || echo 0) $quick > fit 2> err
   near sigma 4 4 fit; near cor_n 0.8 4 fit; near cor_t 0.9 4 fit
 done
-sed 1s/_space//g seen > unsaid
 
 # The description goes anywhere: on the same wall, cor gives the fitted scatter with it.
 "$asperity" cor surface sigma 7 friction 0.2 yield_stress 300MPa materials quartz hastelloy-x seed 4 --angles 20:80:20 --samples 200 --speed 80 -o wanted
@@ -118,8 +117,6 @@ sed 1s/_space//g seen > unsaid
 "$asperity" compare again wanted | tail -n 1 | awk -F, '{ exit !($1 == "score" && $17 < 1 + 3 * $18) }' || die "the fitted scatter: $(cat fit err)"
 
 # Bad usage.
-refuses 2 "unsaid" "v2_plane" "v2_space" "--view" -- calibrate unsaid $law surface sigma fit
-refuses 2 "--view is 'space'" "seen" -- calibrate seen $law surface sigma fit --view space
 refuses 2 "no number of the description is 'fit'" "surface sigma fit" -- calibrate data $ard
 refuses 2 "'materials' is missing" "materials quartz" -- calibrate data surface sigma fit friction fit
 refuses 2 "'fricton'" "did you mean 'friction'" -- calibrate data surface sigma fit fricton fit $ard

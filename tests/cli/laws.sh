@@ -88,10 +88,6 @@ grep -q "warning: cor_t: 1 of 2 bins" err || die "compare: empty bins: $(cat err
 
 # what goes wrong
 printf '\xef\xbb\xbfalpha1_deg\tcor_n\r\n30\t0,5\r\n' > bom.csv; "$asperity" compare gt.csv bom.csv > s || die "compare: byte-order mark"
-printf 'alpha1_deg,cor_n\n0.5,0.9\n1.2,0.6\n' > rad.csv; "$asperity" compare gt.csv rad.csv > s 2> err
-grep -q "look like radians" err || die "compare: radians: $(cat err)"
-"$asperity" cor surface rq 5um lambda_c 40um rebound bons yield_rate 3e6 --samples 9 -o rough.csv
-"$asperity" compare rough.csv d.csv > s 2> err; grep -q "counted twice" err || die "compare: double counting: $(cat err)"
 refuses 2 "no.csv" -- compare no.csv d.csv
 refuses 2 "no.csv" -- compare gt.csv no.csv
 printf 'angle,cor_n\n30,0.5\n' > bad.csv; refuses 2 "'alpha1' is missing" "angle cor_n" -- compare gt.csv bad.csv

@@ -205,7 +205,6 @@ static void bad_tables_are_named(void **state) {
       {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n45,abc,0.9\n", {":3:", "'abc'"}},
       {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n", {"one angle", NULL}},
       {"alpha1_deg,cor_n,cor_t\n", {"without a row", NULL}},
-      {"alpha1_deg,cor_n,cor_t\n0.1,0.9,0.8\n1.5,0.5,0.5\n", {"degrees", "below 1.6"}},
       {"alpha1_deg,v1_m_s,cor_n,cor_t\n10,5,0.9,0.8\n20,5,0.9,0.8\n10,9,0.9,0.8\n",
        {"a gap", "speed 9"}},
       {"alpha1_deg,v1_m_s,cor_n,cor_t\n10,5,0.9,0.8\n20,5,0.9,0.8\n10,9,0.9,0.8\n30,9,0.9,0.8\n",
