@@ -9,7 +9,6 @@
 #define ASP_CLI_H
 
 #include "asperity_internal.h"
-#include "base/list.h"
 #include "base/units.h"
 
 #include <stdio.h>
@@ -76,12 +75,18 @@ char *cli_copy(const char *text);
  * there is no memory for it. */
 void cli_must(bool good, const asp_error *error);
 
-/* Many numbers, or a log-normal law: see base/list.h. The values live as long as the command. */
-typedef aspi_list cli_list;
+/* A list of values, or a truncated log-normal law if count is 0. The values live as long as the
+ * command. */
+typedef struct cli_list {
+  double *values;
+  size_t count;
+  double least, most; /* of the values, or where the law ends */
+  double median;
+} cli_list;
 
-/* Bad usage if a length of a list is over 1 mm, or a stress under 1 MPa, and has no unit: `5` would
- * be 5 m or 5 Pa, and its unit was forgotten. */
-void cli_check_unit(const char *name, const char *list, const char *kind);
+/* Bad usage if a length is over 1 mm, or a stress under 1 MPa, and has no unit: `5` would be 5 m or
+ * 5 Pa, and its unit was forgotten. */
+void cli_check_unit(const char *name, const char *text, const char *kind);
 
 /* The option's value, which must have been given, as a number of a kind (see base/quantity.h) with
  * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
@@ -90,7 +95,8 @@ double cli_number(const cli_option *option, double least, double most);
 double cli_length(const cli_option *option);
 unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most);
 
-/* Values of lists, `a,b,c` and `from:to:step`; cli_values takes `lognormal:min:max:median`, too.
+/* Values of lists, `a,b,c`, where each may be `from:to:step` with both ends included; cli_values
+ * takes `lognormal:min:max:median`, too.
  * Angles are in degrees, 0 to 90. */
 cli_list cli_values(const cli_option *option, const char *kind, double least, double most);
 cli_list cli_numbers(const cli_option *option, double least, double most);

@@ -4,9 +4,12 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/quantity.h"
+#include "base/text.h"
+#include "base/tolerances.h"
 #include "cli/cli.h"
 
 #include <errno.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +19,11 @@
 
 /* And so is a lower stress (Pa). */
 #define STRESS_WITHOUT_UNIT 1e6
+
+/* A range with more steps is taken for a typing error. */
+#define STEPS_MOST 1e6
+
+#define LAW "lognormal:"
 
 const cli_option *cli_get(const cli_call *call, const char *name) {
   for (const cli_option *o = call->options; o->name; o++)
@@ -45,27 +53,47 @@ static const char *given(const cli_option *option) {
   return option->value;
 }
 
-static const asp_units si = {"SI", 1, 1, 1};
+/* ---- one number ---- */
 
-/* One number that may have a unit of its kind behind it. */
-static double read_one(const cli_option *option, const char *kind) {
+void cli_check_unit(const char *name, const char *text, const char *kind) {
+  bool stress = strcmp(kind, "stress") == 0;
+  const char *unit = stress ? "Pa" : "m", *usual = stress ? "MPa" : "um";
+  char *end;
+  double value = aspi_number(text, &end);
+  bool odd = stress ? value > 0 && value < STRESS_WITHOUT_UNIT : value > LENGTH_WITHOUT_UNIT;
+  if (odd && !*end)
+    cli_bad_usage("%s is '%s' without a unit, which would be %g %s: say %s%s, or %s%s", name, text,
+                  value, unit, text, unit, text, usual);
+}
+
+/* A number of an option, which may have a unit of its kind behind it; a length is more than
+ * `least`. */
+static double read_number(const cli_option *option, const char *text, const char *kind,
+                          double least, double most) {
+  static const asp_units si = {"SI", 1, 1, 1};
+  bool is_length = strcmp(kind, "length") == 0;
   char name[80];
   double value;
   asp_error error;
   snprintf(name, sizeof name, "--%s", option->name);
-  cli_must(!aspi_quantity_read(name, given(option), kind, &si, &value, &error), &error);
+  cli_must(!aspi_quantity_read(name, text, kind, &si, &value, &error) &&
+               !aspi_quantity_check(name, text, kind, value, least, most, is_length, &error),
+           &error);
+  if (is_length)
+    cli_check_unit(name, text, kind);
   return value;
 }
 
 double cli_quantity(const cli_option *option, const char *kind, double least, double most) {
-  double value = read_one(option, kind);
-  if (!(value >= least && value <= most) || !isfinite(value))
-    cli_bad_usage("--%s is %s; it must be %g to %g", option->name, option->value, least, most);
-  return value;
+  return read_number(option, given(option), kind, least, most);
 }
 
 double cli_number(const cli_option *option, double least, double most) {
   return cli_quantity(option, "", least, most);
+}
+
+double cli_length(const cli_option *option) {
+  return cli_quantity(option, "length", 0, INFINITY);
 }
 
 unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most) {
@@ -102,45 +130,58 @@ int cli_choice(const cli_option *option) {
   cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
 }
 
-void cli_check_unit(const char *name, const char *list, const char *kind) {
-  bool stress = strcmp(kind, "stress") == 0;
-  const char *unit = stress ? "Pa" : "m", *usual = stress ? "MPa" : "um";
-  for (const char *at = list; *at;) {
-    char *end;
-    int length = (int)strcspn(at, ",:");
-    double value = aspi_number(at, &end);
-    bool odd = stress ? value > 0 && value < STRESS_WITHOUT_UNIT : value > LENGTH_WITHOUT_UNIT;
-    if (odd && end == at + length)
-      cli_bad_usage("%s is '%s' without a unit; '%.*s' would be %g %s: say %.*s%s, or %.*s%s", name,
-                    list, length, at, value, unit, length, at, unit, length, at, usual);
-    at += length + (at[length] != '\0');
+/* ---- lists ---- */
+
+static _Noreturn void fail_form(const cli_option *option, const char *why) {
+  cli_bad_usage("--%s is '%.100s'; %s: a list is a,b,c or from:to:step, a log-normal law "
+                "lognormal:min:max:median",
+                option->name, option->value, why);
+}
+
+/* Up to three numbers with colons between them; their count. A step may be less than a value. */
+static int read_parts(const cli_option *option, char *text, const char *kind, double least,
+                      double most, double values[3]) {
+  char *part;
+  int count = 0;
+  for (; (part = aspi_text_field(&text, ':')) != NULL; count++) {
+    if (count == 3)
+      fail_form(option, "a range has three numbers");
+    values[count] = read_number(option, part, kind, count < 2 ? least : 0, most);
   }
+  return count;
 }
 
-static void check_option_unit(const cli_option *option) {
-  char name[64];
-  snprintf(name, sizeof name, "--%s", option->name);
-  cli_check_unit(name, option->value, "length");
+static void append(cli_list *list, double from, double step, size_t count) {
+  list->values = realloc(list->values, (list->count + count) * sizeof *list->values);
+  if (!list->values)
+    cli_fail("out of memory for a list of %zu numbers", list->count + count);
+  for (size_t i = 0; i < count; i++)
+    list->values[list->count++] = from + (double)i * step;
 }
 
-double cli_length(const cli_option *option) {
-  double value = read_one(option, "length");
-  if (!(value > 0) || !isfinite(value))
-    cli_bad_usage("--%s is '%s'; it must be a length > 0", option->name, option->value);
-  check_option_unit(option);
-  return value;
+static cli_list read_law(const cli_option *option, const char *kind, double least, double most) {
+  double v[3];
+  char *text = cli_copy(option->value + strlen(LAW));
+  if (read_parts(option, text, kind, least, most, v) != 3 ||
+      !(v[0] > 0 && v[0] < v[2] && v[2] < v[1]))
+    fail_form(option, "a log-normal law has 0 < min < median < max");
+  return (cli_list){.least = v[0], .most = v[1], .median = v[2]};
 }
 
 cli_list cli_values(const cli_option *option, const char *kind, double least, double most) {
-  char name[80];
-  cli_list list;
-  asp_error error;
-  snprintf(name, sizeof name, "--%s", option->name);
-  cli_must(!aspi_list_read(name, given(option), kind, &si, least, most, &list, &error), &error);
-  if (strcmp(kind, "length") == 0 && !(list.least > 0))
-    cli_bad_usage("--%s is '%s'; all of it must be > 0", option->name, option->value);
-  if (strcmp(kind, "length") == 0)
-    check_option_unit(option);
+  if (strncmp(given(option), LAW, strlen(LAW)) == 0)
+    return read_law(option, kind, least, most);
+  cli_list list = {.count = 0};
+  char *text = cli_copy(option->value), *item;
+  while ((item = aspi_text_field(&text, ',')) != NULL) {
+    double v[3] = {0, 0, 0};
+    int parts = read_parts(option, item, kind, least, most, v);
+    double steps = parts == 1 ? 0 : floor((v[1] - v[0]) / v[2] + ASPI_ROUNDING_TEXT);
+    if (parts == 2 || !(v[2] > 0 || parts == 1) || !(steps >= 0 && steps <= STEPS_MOST))
+      fail_form(option, "a range has from <= to, a step > 0, and at most 1e6 steps");
+    append(&list, v[0], v[2], (size_t)steps + 1);
+  }
+  gsl_stats_minmax(&list.least, &list.most, list.values, 1, list.count);
   return list;
 }
 

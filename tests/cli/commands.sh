@@ -97,12 +97,11 @@ refuses 2 "'rebound' has no effect" "surface spread seed" -- spread surface sigm
 refuses 2 "needs a value" -- spread --dp
 refuses 2 "--dp LENGTH is missing" -- spread surface rq 5um lambda_c 40um
 refuses 2 "--angles is 91" "0 to 90 deg" -- spread surface sigma 10 --angles 91
-refuses 2 "'20-40'" "from:to:step" -- cor surface sigma 5 --angles 20-40
 refuses 2 "--dp is -10um; it must" -- cor surface sigma 5 --dp -10um
 refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 --speed 0
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
 refuses 2 "rq is '5' without a unit" "5um" -- cor surface rq 5 lambda_c 40um
-refuses 2 "--dp is '5,10um' without a unit" "'5' would be 5 m" -- cor --dp 5,10um
+refuses 2 "--dp is '5' without a unit" "5um" -- cor --dp 5,10um
 refuses 2 "'--pdf' takes no value" -- spread surface sigma 5 --pdf=3
 refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5
 refuses 2 "min < median < max" "from:to:step" -- cor --dp lognormal:1um:10um:100um

@@ -43,6 +43,9 @@ complete_words cor -o myf; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes 
 # Lists with ranges, whole numbers with exponents.
 angles() { "$asperity" spread surface sigma 10 --summary --samples 10 --angles "$1" | awk -F, 'NR > 2 { printf "%s ", $2 }'; }
 [ "$(angles 5,10:30:10,85)" = "5 10 20 30 85 " ] || die "a list with a range: $(angles 5,10:30:10,85)"
+for bad in '' , 1, 1,,2 1:2 1:2:3:4 2:1:1 1:2:0 1:2:-1 0:1:1e-9 '1;2' 1:2: 91 0:91:1 nan 20-40 lognormal:1:2 lognormal:1:2:3 lognormal:1:3:2:1 lognormal:0:3:2 lognormal: normal:1:3:2; do
+  refuses 2 "--angles is" -- cor --angles "$bad"
+done
 [ "$("$asperity" spread surface sigma 10 --samples 2e3 | wc -l)" = 2002 ] || die "--samples 2e3"
 for bad in 1.5 -3 1e99 2e-1 1e3x nan ''; do
   ! "$asperity" spread surface sigma 10 --samples "$bad" > /dev/null 2> err || die "--samples '$bad'"
