@@ -116,7 +116,7 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* Written to a temporary file and renamed on close; an early exit leaves the old file. A symbolic
  * link is replaced. A device or a pipe is written to as it is, and so is the file that is standard
- * output, which "-" and NULL are, too. */
+ * output, which "-" and NULL are, too. One file is open at a time. */
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 

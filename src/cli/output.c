@@ -14,20 +14,17 @@
 
 enum { SUFFIX_MOST = 40 };
 
-typedef struct file {
-  FILE *stream; /* NULL: closed */
+/* The file that is written; there is one at a time. */
+static struct {
   const char *path;
   char *partial; /* NULL where the stream is written to directly, or once it is closed */
-  struct file *next;
 } file;
 
-/* All, so that an exit can remove their partial files. */
-static file *files;
-
-static void remove_partials(void) {
-  for (file *f = files; f; f = f->next)
-    if (f->partial)
-      unlink(f->partial);
+/* An exit leaves no part of a file. */
+static void remove_partial(void) {
+  if (file.partial)
+    unlink(file.partial);
+  file.partial = NULL;
 }
 
 /* True if a file must not be replaced by another one: a device, a pipe, standard output. */
@@ -37,30 +34,28 @@ static bool stays(const struct stat *found) {
                                       out.st_dev == found->st_dev && out.st_ino == found->st_ino);
 }
 
-static FILE *open_partial(file *f) {
-  size_t size = strlen(f->path) + SUFFIX_MOST;
+static FILE *open_partial(const char *path) {
+  static bool is_removed;
+  size_t size = strlen(path) + SUFFIX_MOST;
   char *partial = cli_allocate(size, 1);
-  snprintf(partial, size, "%s.%ld.partial", f->path, (long)getpid());
+  snprintf(partial, size, "%s.%ld.partial", path, (long)getpid());
   FILE *stream = fopen(partial, "wx");
-  f->partial = stream ? partial : NULL;
+  file.partial = stream ? partial : NULL;
+  if (!is_removed)
+    is_removed = atexit(remove_partial) == 0;
   return stream;
 }
 
 FILE *cli_file_open(const char *path) {
+  struct stat found;
+  file.path = path;
   if (!path || strcmp(path, "-") == 0)
     return stdout;
-  if (!files)
-    atexit(remove_partials);
-  struct stat found;
-  file *f = cli_allocate(1, sizeof *f);
-  *f = (file){.path = path, .next = files};
-  if (stat(path, &found) == 0 && stays(&found))
-    f->stream = S_ISREG(found.st_mode) ? stdout : fopen(path, "w");
-  else
-    f->stream = open_partial(f);
-  if (!f->stream)
+  bool direct = stat(path, &found) == 0 && stays(&found);
+  FILE *stream = !direct ? open_partial(path) : S_ISREG(found.st_mode) ? stdout : fopen(path, "w");
+  if (!stream)
     cli_fail("cannot write '%s': %s", path, strerror(errno));
-  return (files = f)->stream;
+  return stream;
 }
 
 void cli_file_check(const char *path) {
@@ -71,25 +66,16 @@ void cli_file_check(const char *path) {
   if (direct)
     return;
   fclose(cli_file_open(path));
-  unlink(files->partial);
-  files->stream = NULL;
-  files->partial = NULL;
+  remove_partial();
 }
 
 void cli_file_close(FILE *stream) {
-  file *f = files;
-  while (f && f->stream != stream)
-    f = f->next;
   bool bad = fflush(stream) != 0 || ferror(stream);
   if (stream != stdout)
     bad = fclose(stream) != 0 || bad;
-  bad = bad || (f && f->partial && rename(f->partial, f->path) != 0);
-  if (bad && !f)
-    cli_fail("cannot write standard output: %s", strerror(errno));
-  if (bad)
-    cli_fail("cannot write '%s': %s", f->path, strerror(errno));
-  if (f)
-    f->stream = NULL, f->partial = NULL;
+  if (bad || (file.partial && rename(file.partial, file.path) != 0))
+    cli_fail("cannot write %s: %s", file.path ? file.path : "standard output", strerror(errno));
+  file.partial = NULL;
 }
 
 void cli_print_comment(FILE *out, const char *text) {
