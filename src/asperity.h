@@ -219,59 +219,41 @@ bool asp_description_needs_sizes(const asp_description *description);
 double asp_wall_slope(const asp_wall *wall, double d_p);
 
 /* ---- heights of a measured wall -------------------------------------------------------------- */
-/* Heights of a wall along a line, at equal spacing. Lengths are in any one unit. A generated
- * profile is periodic; a measured one continues beyond its ends as its mirror image. */
-typedef struct asp_profile asp_profile;
+/* Heights of a wall at equal spacing: over an area, row after row, or along a line, which is one
+ * row. A profile that is not periodic continues beyond its ends as its mirror image. Lengths are in
+ * any one unit. */
+typedef struct asp_heights asp_heights;
 
-/* A Gaussian profile (Garcia & Stoll 1984, secondary source): white noise filtered so that the
- * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. Of any number of points, but at least 20
- * lambda_c long and at most lambda_c/4 apart. r_q and lambda_c are those of the ensemble: a sample
- * has them within its sampling error. The same seed gives the same profile. */
-asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, size_t points,
-                                uint32_t seed, asp_error *error);
+/* From z[rows * columns], row after row, which are copied: numbers, at least three in a row, and one
+ * row or at least three. step_x: between the points of a row; step_y: between rows. */
+asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
+                                double step_y, bool periodic, asp_error *error);
+void asp_heights_free(asp_heights *heights);
 
-/* A profile from heights[points], which are copied: at least three, all finite. */
-asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
-                                      bool periodic, asp_error *error);
-void asp_profile_free(asp_profile *profile);
-size_t asp_profile_points(const asp_profile *profile);
-double asp_profile_spacing(const asp_profile *profile);
-const double *asp_profile_heights(const asp_profile *profile);
-
-/* Heights of a wall over an area, row after row, at equal spacing along x (in a row) and along y
- * (from row to row), in single precision. Heights of a file are relative to their mean. Lengths are
- * in any one unit. */
-typedef struct asp_map asp_map;
-
-/* A map from heights[rows * columns], row after row, which are copied: 4 to 65536 columns and rows,
- * all finite. */
-asp_map *asp_map_from_heights(const float *heights, size_t columns, size_t rows, double step_x,
-                              double step_y, bool periodic, asp_error *error);
-void asp_map_free(asp_map *map);
-
-/* A map in numbers, of which s_q to s_tr are those of ISO 25178-2 without a filter. */
-typedef struct asp_map_numbers {
-  double s_q, s_a;           /* rms and mean absolute height */
+/* Heights in numbers. Of a map s_q to s_tr are those of ISO 25178-2 without a filter; of a profile
+ * s_q, s_a and s_dq are R_q, R_a and R_dq of ISO 21920-2. */
+typedef struct asp_heights_numbers {
+  double mean;
+  double s_q, s_a;           /* rms and mean absolute height, from the mean */
   double s_sk, s_ku;         /* skewness, kurtosis (3 for a normal law) */
   double s_p, s_v, s_z;      /* highest peak, deepest valley, both together */
   double s_dq;               /* rms gradient */
   double s_al, s_tr;         /* shortest way to the autocorrelation 0.2; that over the longest */
   double lambda_1, lambda_2; /* half axes of the ellipse that fits the 1/e contour of the
-                                autocorrelation best, lambda_1 <= lambda_2 */
+                                autocorrelation best, lambda_1 <= lambda_2; of a profile lambda_c */
   double lay;                /* direction of the longer one, from x toward y, rad, 0 to pi */
-} asp_map_numbers;
+} asp_heights_numbers;
 
-/* ASP_EDATA when the map is constant, or too small for its autocorrelation to fall to 1/e in any
- * direction. Where it falls along some directions only, the ellipse is that of these, and s_tr is
- * NaN. */
-asp_code asp_map_describe(const asp_map *map, asp_map_numbers *numbers, asp_error *error);
+/* ASP_EDATA when the heights are constant, or too few for their autocorrelation to fall to 1/e
+ * within half the length in any direction. Where it falls along some directions of a map only, the
+ * ellipse is that of these, and s_tr is NaN. */
+asp_code asp_heights_describe(const asp_heights *heights, asp_heights_numbers *numbers,
+                              asp_error *error);
 
-/* Heights in place of the file of `surface profile FILE` or `surface map FILE`; they must live as
- * long as the description. ASP_EARG where the surface is another one. */
-asp_code asp_description_set_profile(asp_description *description, const asp_profile *profile,
+/* Heights in place of the file of `surface profile FILE` (one row) or `surface map FILE` (more);
+ * they must live as long as the description. ASP_EARG where the surface is another one. */
+asp_code asp_description_set_heights(asp_description *description, const asp_heights *heights,
                                      asp_error *error);
-asp_code asp_description_set_map(asp_description *description, const asp_map *map,
-                                 asp_error *error);
 
 /* ---- materials ------------------------------------------------------------------------------- */
 typedef struct asp_material asp_material;

@@ -98,8 +98,15 @@ void asp_reader_free(asp_reader *reader);
  * Units, step_x and missing are refused for SDF files, which state them. */
 asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
 
-/* The profile of a file; the message names file and line. */
-asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error);
+/* The profile of a file, one row of heights, or its map; the message names file and line.
+ *
+ * A map is SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or lines of x, y,
+ * z on a grid, in columns of these names, or where there are three columns. The options count as for
+ * profiles, but form is the degree of a polynomial in x and y, and resample has no effect; row,
+ * column, x_column and the filters are refused. Also step_x, step_y, meters between the columns and
+ * the rows of a matrix (0: as the file states, which Gwyddion's text matrices do; step_y: as
+ * step_x). Closed formats are refused with the name of a free program that converts them. */
+asp_heights *asp_reader_read(asp_reader *reader, const char *path, bool is_map, asp_error *error);
 
 /* One sentence about the file read last: points, bad ones, spikes, points filled in, the form taken
  * out, and how positions and columns were taken. */
@@ -109,22 +116,6 @@ const char *asp_reader_text(const asp_reader *reader);
  * off all neighbors, where no spikes were looked for), heights in few levels, or cut off at an end
  * of their range. For a front end to warn of. */
 asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
-
-/* The map of a file: SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or
- * lines of x, y, z on a grid, in columns of these names, or where there are three columns. The
- * reader's options count as for profiles, but form is the degree of a polynomial in x and y, and
- * resample has no effect; row, column, x_column and the filters are refused. Also step_x, step_y,
- * meters between the columns and the rows of a matrix (0: as the file states, which Gwyddion's text
- * matrices do; step_y: as step_x). Closed formats are refused with the name of a free program that
- * converts them. */
-asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error);
-
-/* The points of a map. */
-size_t asp_map_columns(const asp_map *map);
-size_t asp_map_rows(const asp_map *map);
-double asp_map_step_x(const asp_map *map);
-double asp_map_step_y(const asp_map *map);
-const float *asp_map_heights(const asp_map *map);
 
 /* ---- description ----------------------------------------------------------------------------- */
 /* Parses clause by clause, for a caller with other words in between: begin with
@@ -234,12 +225,9 @@ asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_a
  * by discs of `bins` diameters from d_min to d_max at equal ratios (one bin: the geometric mean),
  * monotone between them, the end values beyond. r_q and lambda_c are the profile's, by the 1/e lag.
  * spacing <= d_min <= d_max <= length; bins 1 to ASP_BINS_MAX. */
-asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
+asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min, double d_max,
                                         int bins, asp_error *error);
 
-/* The Gaussian wall with the numbers of a map: s_q, lambda_1, and with `lay` lambda_2 along it;
- * without, it is met across its lay everywhere. */
-asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error);
 void asp_surface_free(asp_surface *surface);
 
 /* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */

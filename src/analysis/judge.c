@@ -5,9 +5,9 @@
 #include "analysis/judge.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "spread/line.h"
+#include "spread/flight.h"
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,63 +26,63 @@ enum { FLIGHTS = 4 };
 /* ---- one flight ---- */
 
 /* The path of the particle's center over a realization, as one of the flights meets it. */
-static asp_profile *path_of(const aspi_judge_case *subject, size_t number, int flight,
+static asp_heights *path_of(const aspi_judge_case *subject, size_t number, int flight,
                             asp_error *error) {
   double r_q = subject->r_q, lambda_c = subject->lambda_c;
   uint32_t seed = SEED_FIRST + subject->seed % 1048576 * ASPI_JUDGES_MOST + (uint32_t)number;
-  asp_profile *profile =
-      aspi_profile_create_scaled(r_q, lambda_c, lambda_c / RESOLUTION, (size_t)RESOLUTION * LENGTH,
-                                 seed, flight % 2 ? -1 : 1, error);
-  asp_profile *path = profile ? aspi_profile_rolled(profile, subject->d_p, 1, error) : NULL;
-  asp_profile_free(profile);
+  asp_heights *profile =
+      aspi_profile_generate_scaled(r_q, lambda_c, lambda_c / RESOLUTION,
+                                   (size_t)RESOLUTION * LENGTH, seed, flight % 2 ? -1 : 1, error);
+  asp_heights *path = profile ? aspi_profile_rolled(profile, subject->d_p, 1, error) : NULL;
+  asp_heights_free(profile);
   if (path && flight > 1) {
-    asp_profile *mirrored = aspi_profile_mirrored(path, error);
-    asp_profile_free(path);
+    asp_heights *mirrored = aspi_profile_mirrored(path, error);
+    asp_heights_free(path);
     path = mirrored;
   }
   return path;
 }
 
-/* The line that a flight passes over, as a wall and as segments, and the diameter of the flying
+/* What a flight passes over, as a wall and as a field, and the diameter of the flying
  * particle: nearly 0 over the path of the center. */
 typedef struct course {
   asp_wall *wall;
-  aspi_line line;
+  aspi_field field;
   double d_p;
 } course;
 
 static asp_code course_create(course *made, const aspi_judge_case *subject, size_t number,
                               int flight, asp_error *error) {
-  asp_profile *path = subject->profile ? NULL : path_of(subject, number, flight, error);
-  const asp_profile *over = subject->profile ? subject->profile : path;
+  asp_heights *path = subject->profile ? NULL : path_of(subject, number, flight, error);
+  const asp_heights *over = subject->profile ? subject->profile : path;
   *made = (course){.d_p = subject->profile ? subject->d_p : 1e-6 * subject->lambda_c};
   asp_code code =
-      over ? aspi_line_over_profile(&made->line, over, subject->profile ? subject->d_p : 0, error)
+      over ? aspi_field_create(&made->field, over, subject->profile ? subject->d_p : 0, NULL, error)
            : error->code;
   if (!code &&
       !(made->wall = aspi_judge_wall_over(subject, over, made->d_p, "traced", true, error)))
     code = error->code;
-  asp_profile_free(path);
+  asp_heights_free(path);
   return code;
 }
 
 static void course_free(course *over) {
-  aspi_line_free(&over->line);
+  aspi_field_free(&over->field);
   asp_wall_free(over->wall);
 }
 
-/* Adds the shares of the line's first hits in bins of one degree, from -90 to 90. */
-static asp_code add_first_hits(const aspi_line *line, double degrees, double part,
+/* Adds the shares of a field's first hits in bins of one degree, from -90 to 90. */
+static asp_code add_first_hits(const aspi_field *field, double degrees, double part,
                                aspi_first_hits *first, asp_error *error) {
-  size_t n = line->n;
+  size_t n = (size_t)field->columns;
   double *weight = calloc(n, sizeof *weight);
   if (!weight)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu faces", n);
-  aspi_line_first_hits(line, aspi_line_fall(line, aspi_radians(degrees)), weight);
+  aspi_field_first_hits(field, aspi_field_fall(field, aspi_radians(degrees)), weight);
 #pragma omp critical
   for (size_t i = 0; i < n; i++)
     if (weight[i] > 0) {
-      double delta = atan(line->slope[i]);
+      double delta = atan(aspi_field_slope(field, i));
       first->share[(int)floor(aspi_degrees(delta)) + 90] += part * weight[i];
       first->mean += part * weight[i] * delta;
     }
@@ -103,7 +103,7 @@ static asp_code fly_group(aspi_judge *judge, const aspi_judge_case *subject, con
       uint32_t seed = subject->seed + (uint32_t)number * (uint32_t)flights + (uint32_t)flight;
       aspi_angles found = aspi_judge_rebounds(over.wall, over.d_p, degrees[k], rays, seed);
       aspi_angles_merge(&judge->angles[number * judge->count + k], &found);
-      code = add_first_hits(&over.line, degrees[k], 1. / (double)all, &judge->first[k], error);
+      code = add_first_hits(&over.field, degrees[k], 1. / (double)all, &judge->first[k], error);
     }
     course_free(&over);
   }

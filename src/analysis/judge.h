@@ -18,7 +18,7 @@ typedef struct aspi_judge_case {
   size_t groups; /* profiles of the ensemble; over a measured one, parts of the rays */
   size_t rays;   /* impacts at an angle */
   uint32_t seed;
-  const asp_profile *profile;                    /* measured; NULL: none */
+  const asp_heights *profile;                    /* measured; NULL: none */
   void (*progress)(void *context, double share); /* of the ensemble; may be NULL */
   void *context;
 } aspi_judge_case;
@@ -58,7 +58,7 @@ asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, bool
                           asp_error *error);
 
 /* A wall of some heights (NULL: none) in place of those of the case. */
-asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_profile *profile,
+asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_heights *profile,
                                double d_p, const char *name, bool multiple, asp_error *error);
 
 /* n rebounds at an impact angle (degrees), by all threads. */

@@ -13,7 +13,7 @@
 /* Probability of a bin that a model leaves empty, in a comparison without sampling. */
 #define LEAST_SHARE 1e-6
 
-asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_profile *profile,
+asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_heights *profile,
                                double d_p, const char *name, bool multiple, asp_error *error) {
   aspi_wall_choice choice = aspi_wall_choice_smooth();
   asp_surface *surface = subject->profile
@@ -21,7 +21,7 @@ asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_profile
                              : asp_surface_create(subject->r_q, subject->lambda_c, error);
   aspi_wall_choose_law(&choice, asp_rebound_find("constant", NULL));
   choice.surface = surface;
-  choice.profile = profile;
+  choice.heights = profile;
   choice.spread = asp_spread_find(name, NULL);
   choice.sizes = (aspi_sizes){d_p, d_p, 1};
   choice.multiple = multiple;

@@ -9,6 +9,7 @@
 #include "surface/closing.h"
 #include "surface/describe.h"
 #include "surface/size_law.h"
+#include "surface/slopes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +17,7 @@
 
 /* One wall by its profile. */
 typedef struct wall_profile {
-  asp_profile *profile;
+  asp_heights *profile;
   double r_q, lambda_c;
   const char *name; /* of the measured file, or NULL */
 } wall_profile;
@@ -113,41 +114,44 @@ static aspi_profile_options read_options(const cli_call *call) {
 
 /* ---- profiles ---- */
 
-/* Report and description of a measured profile. */
-typedef struct source {
-  aspi_profile_report report;
-  aspi_profile_description description;
-} source;
-
-static void tell(FILE *out, const wall_profile *wall, const source *from) {
-  const aspi_profile_description *d = &from->description;
+static void tell(FILE *out, const cli_measured *m) {
+  const asp_heights_numbers *n = &m->numbers;
+  double spacing = m->heights->step[0], length = (double)m->heights->columns * spacing;
   fputs("# profile ", out);
-  cli_print_comment(out, wall->name);
-  fprintf(out, ": %s\n", from->report.text);
+  cli_print_comment(out, m->name);
+  fprintf(out, ": %s\n", m->report.text);
   fprintf(out,
           "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (1/e "
           "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",
-          d->length * 1e6, d->spacing * 1e6, d->points, d->r_q * 1e6, d->r_a * 1e6,
-          d->lambda_c * 1e6, d->phi_r, d->slope_rms);
+          length * 1e6, spacing * 1e6, m->heights->columns, n->s_q * 1e6, n->s_a * 1e6,
+          n->lambda_1 * 1e6, n->s_q / n->lambda_1, n->s_dq);
   fprintf(out,
           "# %.4g lambda_c long: one such profile leaves the mean tilt at 2 deg uncertain by about "
           "%.2g %% of sigma\n",
-          d->length / d->lambda_c, 100 * ASP_LENGTH_ERROR(d->length / d->lambda_c));
+          length / n->lambda_1, 100 * ASP_LENGTH_ERROR(length / n->lambda_1));
 }
 
-static wall_profile read_wall(const cli_call *call, const cli_description *wall,
-                              const cli_list *sizes, source *from) {
-  const char *file = asp_description_word(wall->words, "file");
-  aspi_profile_options how = read_options(call);
+/* Reads and describes a file. Warns of the reader's doubts, and of a sampling that is too coarse
+ * for the smallest size; exits if the points do not resolve a particle. */
+static cli_measured read_file(const cli_call *call, const char *file, bool is_map,
+                              const cli_list *sizes) {
+  const aspi_profile_options how = read_options(call);
   asp_error error;
-  asp_profile *profile = aspi_profile_read(NULL, file, &how, &from->report, &error);
-  cli_must(profile, &error);
-  if (aspi_profile_describe(profile, ASP_LEVEL_1_E, &from->description, &error) ||
-      aspi_profile_check(&from->description, 1, &error))
+  cli_measured m = {.name = file};
+  m.heights = aspi_read(NULL, file, is_map, &how, &m.report, &error);
+  cli_must(m.heights, &error);
+  if (asp_heights_describe(m.heights, &m.numbers, &error) ||
+      aspi_heights_check(m.heights, &m.numbers, &error))
     cli_bad_usage("%s: %s", file, error.text);
-  const aspi_profile_description *d = &from->description;
-  cli_surface_check(file, "profile", &from->report, d->spacing, d->length, d->lambda_c, sizes);
-  return (wall_profile){profile, d->r_q, d->lambda_c, file};
+  aspi_extent extent = aspi_heights_extent(m.heights);
+  if (sizes->least < extent.spacing)
+    cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it",
+                  sizes->least * 1e6, aspi_kind_of_rows(m.heights->rows), extent.spacing * 1e6);
+  if (*m.report.warnings)
+    cli_warn("%s: %s", file, m.report.warnings);
+  if (aspi_sampling_check(sizes->least, extent.spacing, extent.length, m.numbers.lambda_2, &error))
+    cli_warn("%s: %s", file, error.text);
+  return m;
 }
 
 /* The profile along the flight; `more` is added to the seed. */
@@ -159,20 +163,19 @@ static wall_profile generate_wall(const cli_call *call, const cli_description *w
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall, surface));
   asp_surface_free(surface);
-  asp_profile *profile =
-      asp_profile_create(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
-                         cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
-                         (uint32_t)asp_description_get(wall->words, "seed") + more, &error);
+  asp_heights *profile =
+      aspi_profile_generate(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
+                            cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
+                            (uint32_t)asp_description_get(wall->words, "seed") + more, &error);
   cli_must(profile, &error);
   return (wall_profile){profile, r_q, lambda_c, NULL};
 }
 
-static void save(const cli_call *call, const asp_profile *profile) {
+static void save(const cli_call *call, const asp_heights *profile) {
   FILE *out = cli_output_open(call, "save", NULL);
   fputs("x_um,z_um\n", out);
-  for (size_t i = 0; i < asp_profile_points(profile); i++)
-    fprintf(out, "%.12g,%.9g\n", (double)i * asp_profile_spacing(profile) * 1e6,
-            asp_profile_heights(profile)[i] * 1e6);
+  for (size_t i = 0; i < profile->columns; i++)
+    fprintf(out, "%.12g,%.9g\n", (double)i * profile->step[0] * 1e6, profile->z[i] * 1e6);
   cli_file_close(out);
 }
 
@@ -235,9 +238,9 @@ static void print_rows(FILE *out, const slopes_row *rows, size_t count, bool mea
 enum { DRAWN_MOST = 1 << 16 };
 
 static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
-  size_t n = asp_profile_points(wall->profile), tilts;
+  size_t n = wall->profile->columns, tilts;
   double *center = cli_allocate(n, sizeof *center), *closed = cli_allocate(n, sizeof *closed),
-         *slope = cli_allocate(n, sizeof *slope), dx = asp_profile_spacing(wall->profile);
+         *slope = cli_allocate(n, sizeof *slope), dx = wall->profile->step[0];
   asp_error error;
   if (aspi_profile_dilate(wall->profile, d_p, center, &error) ||
       aspi_profile_close(wall->profile, d_p, closed, &error) ||
@@ -246,9 +249,8 @@ static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
   FILE *out = cli_plot_open(call);
   fputs("x_um,z_um,closed_um,center_um,tilt_deg\n", out);
   for (size_t i = 0; i < n && i < DRAWN_MOST; i++)
-    cli_row(out, "%.9g,%.6g,%.6g,%.6g,%.6g\n", (double)i * dx * 1e6,
-            asp_profile_heights(wall->profile)[i] * 1e6, closed[i] * 1e6, center[i] * 1e6,
-            i < tilts ? aspi_degrees(atan(slope[i])) : NAN);
+    cli_row(out, "%.9g,%.6g,%.6g,%.6g,%.6g\n", (double)i * dx * 1e6, wall->profile->z[i] * 1e6,
+            closed[i] * 1e6, center[i] * 1e6, i < tilts ? aspi_degrees(atan(slope[i])) : NAN);
   free(center);
   free(closed);
   free(slope);
@@ -327,30 +329,32 @@ static cli_description wall_of(const walls *all, size_t index, const cli_call *c
 /* A measured profile, or a generated one for each wall: the seed of each is one more than that
  * before. */
 static void run_profiles(const cli_call *call, const walls *all, const cli_description *first,
-                         const cli_list *sizes) {
-  bool measured = asp_description_word(first->words, "file"), many = all->count > 1;
+                         const cli_measured *m, const cli_list *sizes) {
+  bool measured = m->heights, many = all->count > 1;
   size_t count = all->count * sizes->count;
   if (many && (cli_value(call, "save") || cli_value(call, "plot")))
     cli_bad_usage("--%s is given with a list of walls; it takes one",
                   cli_value(call, "save") ? "save" : "plot");
   slopes_row *rows = cli_allocate(count, sizeof *rows);
   wall_profile wall = {.profile = NULL};
-  source from;
   for (size_t k = 0; k < all->count; k++) {
     cli_description of = k > 0 ? wall_of(all, k, call) : *first;
-    asp_profile_free(wall.profile);
-    wall = measured ? read_wall(call, &of, sizes, &from) : generate_wall(call, &of, (uint32_t)k);
+    asp_heights_free(k > 0 ? wall.profile : NULL);
+    if (measured)
+      wall = (wall_profile){m->heights, m->numbers.s_q, m->numbers.lambda_1, m->name};
+    else
+      wall = generate_wall(call, &of, (uint32_t)k);
     measure(&wall, sizes, rows + k * sizes->count);
   }
   FILE *out = cli_output_open(call, "output", many ? NULL : first->text);
   if (measured)
-    tell(out, &wall, &from);
+    tell(out, m);
   if (many)
     fprintf(out, "# generated: %s points a wall, lambda_c/%g apart\n", cli_value(call, "points"),
             POINTS_PER_LAMBDA);
   else if (!measured)
-    fprintf(out, "# generated: %zu points, %.6g um apart\n", asp_profile_points(wall.profile),
-            asp_profile_spacing(wall.profile) * 1e6);
+    fprintf(out, "# generated: %zu points, %.6g um apart\n", wall.profile->columns,
+            wall.profile->step[0] * 1e6);
   print_rows(out, rows, count, measured);
   cli_file_close(out);
   if (cli_value(call, "save"))
@@ -365,12 +369,14 @@ static void run(cli_call *call) {
   cli_description first = wall_of(&all, 0, call);
   const char *kind = asp_description_word(first.words, "surface");
   check_options(call, kind);
-  if (strcmp(kind, "map") != 0) {
-    run_profiles(call, &all, &first, &sizes);
-    return;
-  }
-  const aspi_profile_options options = read_options(call);
-  cli_surface_map(call, &first, &options, &sizes);
+  bool is_map = strcmp(kind, "map") == 0;
+  const char *file = asp_description_word(first.words, "file");
+  const cli_measured m =
+      file ? read_file(call, file, is_map, &sizes) : (cli_measured){.name = NULL};
+  if (is_map)
+    cli_surface_map(call, &first, &m, &sizes);
+  else
+    run_profiles(call, &all, &first, &m, &sizes);
 }
 
 static const cli_option options[] = {

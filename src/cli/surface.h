@@ -1,5 +1,5 @@
 /* Functions shared by the files of `asperity surface`: generated and measured profiles (surface.c),
- * measured maps (surface_map.c), and warnings of both (surface_check.c).
+ * and measured maps (surface_map.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_CLI_SURFACE_H
@@ -7,15 +7,19 @@
 
 #include "cli/description.h"
 #include "readers/read.h"
-#include "surface/slopes.h"
+#include "surface/heights.h"
 
-/* Warns of the reader's doubts, and of a sampling that is too coarse for the smallest size; exits
- * if the points do not resolve a particle. */
-void cli_surface_check(const char *name, const char *what, const aspi_profile_report *report,
-                       double spacing, double length, double lambda, const cli_list *sizes);
+/* A measured wall, in meters: what was done to it, and its numbers. */
+typedef struct cli_measured {
+  asp_heights *heights;
+  aspi_profile_report report;
+  asp_heights_numbers numbers;
+  const char *name; /* of its file */
+} cli_measured;
 
-/* All of `asperity surface` of a map: what it is, and which slopes a sphere of each size finds. */
-void cli_surface_map(const cli_call *call, const cli_description *wall,
-                     const aspi_profile_options *options, const cli_list *sizes);
+/* All of `asperity surface` of a map: its numbers, and the slopes that a sphere of each size finds
+ * on it. */
+void cli_surface_map(const cli_call *call, const cli_description *wall, const cli_measured *m,
+                     const cli_list *sizes);
 
 #endif

@@ -13,40 +13,20 @@
 
 enum { ROWS_AT_ONCE = 16 };
 
-/* A measured map, what was done to it, and what it is. */
-typedef struct measured {
-  asp_map *map;
-  aspi_profile_report report;
-  asp_map_numbers description;
-  const char *name;
-} measured;
-
 /* The contact slopes of a sphere; see aspi_gradient_describe. */
 typedef struct slopes {
-  double d_p, rms[2], skewness[2], mixed;
+  double d_p, rms[2], skewness[2];
 } slopes;
 
-/* Reads and describes a map, in meters. */
-static measured read_map(const char *path, const aspi_profile_options *options) {
-  asp_error error;
-  measured m = {.name = path};
-  m.map = aspi_map_read(NULL, path, options, &m.report, &error);
-  cli_must(m.map, &error);
-  if (asp_map_describe(m.map, &m.description, &error) ||
-      aspi_map_check(m.map, &m.description, 1, &error))
-    cli_bad_usage("%s: %s", path, error.text);
-  return m;
-}
-
 /* The dilation of the map by a sphere of each size, all of its points on all cores. */
-static void measure(const measured *m, const cli_list *sizes, slopes *all) {
-  size_t rows = m->map->rows, n = m->map->columns * rows;
+static void measure(const cli_measured *m, const cli_list *sizes, slopes *all) {
+  size_t rows = m->heights->rows, n = m->heights->columns * rows;
   float *z = cli_allocate(n, sizeof *z), *p = cli_allocate(n, sizeof *p),
         *q = cli_allocate(n, sizeof *q);
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
   for (size_t i = 0; i < sizes->count; i++) {
     asp_error error;
-    aspi_ball *ball = aspi_ball_create(m->map, sizes->values[i], &error);
+    aspi_ball *ball = aspi_ball_create(m->heights, sizes->values[i], &error);
     if (!ball)
       cli_bad_usage("--dp: %s", error.text);
     size_t finished = 0;
@@ -59,7 +39,7 @@ static void measure(const measured *m, const cli_list *sizes, slopes *all) {
     }
     aspi_ball_free(ball);
     all[i].d_p = sizes->values[i];
-    aspi_gradient_describe(p, q, n, m->description.lay, all[i].rms, all[i].skewness, &all[i].mixed);
+    aspi_gradient_describe(p, q, n, m->numbers.lay, all[i].rms, all[i].skewness);
   }
   cli_progress_end(&progress);
   free(z);
@@ -76,12 +56,13 @@ static void print_number(FILE *out, const char *name, double value, const char *
 }
 
 /* Prints the description of the map, and a row per size. */
-static void print(FILE *out, const measured *m, const slopes *rows, size_t count) {
-  const asp_map_numbers *d = &m->description;
+static void print(FILE *out, const cli_measured *m, const slopes *rows, size_t count) {
+  const asp_heights_numbers *d = &m->numbers;
   fputs("# map ", out);
   cli_print_comment(out, m->name);
-  fprintf(out, ": %s\n# %zu x %zu points, %.6g x %.6g um apart\n", m->report.text, m->map->columns,
-          m->map->rows, m->map->step[0] * 1e6, m->map->step[1] * 1e6);
+  fprintf(out, ": %s\n# %zu x %zu points, %.6g x %.6g um apart\n", m->report.text,
+          m->heights->columns, m->heights->rows, m->heights->step[0] * 1e6,
+          m->heights->step[1] * 1e6);
   fprintf(out,
           "# ISO 25178-2, unfiltered: S_q %.6g um, S_a %.6g um, S_sk %.4g, S_ku %.4g, S_p %.6g um, "
           "S_v %.6g um, S_z %.6g um, S_dq %.4g",
@@ -105,7 +86,7 @@ static void print(FILE *out, const measured *m, const slopes *rows, size_t count
 }
 
 /* The heights as SDF in text (ISO 25178-71), for the other commands and the wall's fix. */
-static void save(const cli_call *call, const asp_map *map) {
+static void save(const cli_call *call, const asp_heights *map) {
   FILE *out = cli_file_open(cli_value(call, "save"));
   fprintf(out,
           "aISO-1.0\nManufacID = asperity\nCreateDate = 000000000000\nModDate = 000000000000\n"
@@ -114,14 +95,14 @@ static void save(const cli_call *call, const asp_map *map) {
           map->columns, map->rows, map->step[0], map->step[1]);
   for (size_t j = 0; j < map->rows; j++)
     for (size_t i = 0; i < map->columns; i++)
-      fprintf(out, "%.9g%c", (double)map->heights[j * map->columns + i] * 1e6,
+      fprintf(out, "%.9g%c", (double)map->z[j * map->columns + i] * 1e6,
               i + 1 < map->columns ? ' ' : '\n');
   fputs("*\n", out);
   cli_file_close(out);
 }
 
 /* The table of the picture: the map, the lowest points of a sphere, and its contact slopes. */
-static void plot(const cli_call *call, const asp_map *map, double d_p) {
+static void plot(const cli_call *call, const asp_heights *map, double d_p) {
   size_t n = map->columns, count = n * map->rows;
   float *z = cli_allocate(count, sizeof *z), *p = cli_allocate(count, sizeof *p),
         *q = cli_allocate(count, sizeof *q);
@@ -134,7 +115,7 @@ static void plot(const cli_call *call, const asp_map *map, double d_p) {
   fputs("x_um,y_um,z_um,lowest_um,slope_x,slope_y\n", out);
   for (size_t i = 0; i < count; i++)
     fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.5g,%.5g\n", (double)(i % n) * map->step[0] * 1e6,
-            (double)(i / n) * map->step[1] * 1e6, (double)map->heights[i] * 1e6,
+            (double)(i / n) * map->step[1] * 1e6, (double)map->z[i] * 1e6,
             ((double)z[i] - d_p / 2) * 1e6, (double)p[i], (double)q[i]);
   free(z);
   free(p);
@@ -142,20 +123,15 @@ static void plot(const cli_call *call, const asp_map *map, double d_p) {
   cli_plot_close(call, out, "map");
 }
 
-void cli_surface_map(const cli_call *call, const cli_description *wall,
-                     const aspi_profile_options *options, const cli_list *sizes) {
-  measured m = read_map(asp_description_word(wall->words, "file"), options);
-  const double *step = m.map->step;
-  double sides[2] = {(double)m.map->columns * step[0], (double)m.map->rows * step[1]};
-  cli_surface_check(m.name, "map", &m.report, fmax(step[0], step[1]), fmin(sides[0], sides[1]),
-                    m.description.lambda_2, sizes);
+void cli_surface_map(const cli_call *call, const cli_description *wall, const cli_measured *m,
+                     const cli_list *sizes) {
   slopes *rows = cli_allocate(sizes->count, sizeof *rows);
-  measure(&m, sizes, rows);
+  measure(m, sizes, rows);
   FILE *out = cli_output_open(call, "output", wall->text);
-  print(out, &m, rows, sizes->count);
+  print(out, m, rows, sizes->count);
   cli_file_close(out);
   if (cli_value(call, "save"))
-    save(call, m.map);
+    save(call, m->heights);
   if (cli_value(call, "plot"))
-    plot(call, m.map, sizes->values[0]);
+    plot(call, m->heights, sizes->values[0]);
 }

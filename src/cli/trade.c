@@ -156,10 +156,10 @@ static void check_wall(const asp_description *words) {
 
 static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
-  aspi_heights heights;
-  asp_error error;
-  cli_must(!aspi_heights_read(wall->words, &heights, &error), &error);
-  if (heights.profile && cli_is_set(call, "ensemble"))
+  asp_heights *profile;
+  asp_error doubt, error;
+  cli_must(!aspi_heights_read(wall->words, &profile, &doubt, &error), &error);
+  if (profile && cli_is_set(call, "ensemble"))
     cli_bad_usage("--ensemble has no effect on a measured profile, which is the reference itself");
   return (aspi_judge_case){
       .r_q = asp_surface_r_q(surface),
@@ -168,7 +168,7 @@ static aspi_judge_case case_of(const cli_call *call, const cli_description *wall
       .groups = cli_whole(cli_get(call, "ensemble"), ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST),
       .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),
       .seed = (uint32_t)asp_description_get(wall->words, "seed"),
-      .profile = heights.profile};
+      .profile = profile};
 }
 
 /* A diameter for a wall that is the same for all of them, and the most that the seed may be. */

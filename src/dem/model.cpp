@@ -27,9 +27,9 @@ std::string for_types(int n, const char *first, const char *other) {
 
 Model::Model(const Engine &engine)
     : engine_(engine), units_(), d_range_(), doubted_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
-      lay_(), profile_(NULL, asp_profile_free), map_(NULL, asp_map_free),
-      description_(NULL, asp_description_free), wall_(NULL, asp_wall_free),
-      default_friction_(ASP_FRICTION), dissipates_(true), is_new_(true) {}
+      lay_(), heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
+      wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), dissipates_(true),
+      is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
@@ -127,13 +127,9 @@ void Model::read_measured() {
                 " is in SI units, which cannot be converted to " + units_name_);
   std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&wrong),
                                                              asp_reader_free);
-  if (reader && !asp_reader_set(reader.get(), "meter", units_.meter, &wrong)) {
-    if (is_map)
-      map_.reset(asp_reader_read_map(reader.get(), path.c_str(), &wrong));
-    else
-      profile_.reset(asp_reader_read(reader.get(), path.c_str(), &wrong));
-  }
-  int good = map_ || profile_, all;
+  if (reader && !asp_reader_set(reader.get(), "meter", units_.meter, &wrong))
+    heights_.reset(asp_reader_read(reader.get(), path.c_str(), is_map, &wrong));
+  int good = heights_ != NULL, all;
   if (!good && wrong.code == ASP_ENOMEM)
     throw_error(wrong); /* of this rank alone */
   MPI_Allreduce(&good, &all, 1, MPI_INT, MPI_MIN, engine_.world());
@@ -144,8 +140,7 @@ void Model::read_measured() {
   if (asp_reader_check(reader.get(), &wrong))
     engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
                  wrong.text + asp_reader_advice(wrong.text));
-  if (is_map ? asp_description_set_map(description_.get(), map_.get(), &wrong)
-             : asp_description_set_profile(description_.get(), profile_.get(), &wrong))
+  if (asp_description_set_heights(description_.get(), heights_.get(), &wrong))
     throw_error(wrong);
 }
 

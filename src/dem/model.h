@@ -130,8 +130,7 @@ private:
   Deposit deposit_;
   uint32_t seed_;
   asp_lay lay_;
-  std::unique_ptr<asp_profile, void (*)(asp_profile *)> profile_;
-  std::unique_ptr<asp_map, void (*)(asp_map *)> map_;
+  std::unique_ptr<asp_heights, void (*)(asp_heights *)> heights_;
   std::unique_ptr<asp_description, void (*)(asp_description *)> description_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_; /* NULL until diameters are known */
   std::vector<Material> own_;                   /* of each atom type, by the script's constants */

@@ -139,8 +139,8 @@ std::string Model::describe_surface() const {
   std::string line;
   if (measured())
     line = word("surface") + " " + word("file") + " (" + report_ + "), ";
-  asp_map_numbers numbers;
-  if (map_ && !asp_map_describe(map_.get(), &numbers, NULL))
+  asp_heights_numbers numbers;
+  if (word("surface") == "map" && !asp_heights_describe(heights_.get(), &numbers, NULL))
     line += text("S_sk %.3g, S_ku %.3g, ", numbers.s_sk, numbers.s_ku);
   line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
                asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),

@@ -128,15 +128,9 @@ asp_surface *aspi_description_surface(const asp_description *d, asp_error *error
 
 /* ---- heights of a file ---- */
 
-/* A profile or a map from a file, and what is doubtful about it. */
-typedef struct aspi_heights {
-  asp_profile *profile;
-  asp_map *map;
-  asp_error doubt;
-} aspi_heights;
-
-/* Reads the file of a measured wall, if the caller has set no heights. */
-asp_code aspi_heights_read(const asp_description *d, aspi_heights *heights, asp_error *error);
-void aspi_heights_free(aspi_heights *heights);
+/* Reads the file of a measured wall, if the caller has set no heights: NULL where there is nothing
+ * to read. *doubt: what is doubtful about it. */
+asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_error *doubt,
+                           asp_error *error);
 
 #endif

@@ -8,7 +8,7 @@
 #include "readers/read.h"
 #include "base/error.h"
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -83,11 +83,11 @@ static asp_code take_out_tip(double *heights, size_t points, double spacing, dou
                              asp_error *error) {
   for (size_t i = 0; i < points; i++)
     heights[i] = -heights[i];
-  asp_profile *below = asp_profile_from_heights(heights, points, spacing, false, error);
+  asp_heights *below = asp_heights_create(heights, points, 1, spacing, spacing, false, error);
   if (!below)
     return ASP_EDATA;
   asp_code code = aspi_profile_dilate(below, 2 * radius, heights, error);
-  asp_profile_free(below);
+  asp_heights_free(below);
   for (size_t i = 0; i < points; i++)
     heights[i] = radius - heights[i];
   return code;

@@ -3,8 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/read.h"
-#include "surface/map.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <gsl/gsl_sort.h>
 #include <math.h>
@@ -71,26 +70,25 @@ static asp_code find_grids(const aspi_map_points *t, const char *path, grid g[2]
   if (!room)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu points", t->count);
   int axis = 0;
-  while (axis < 2 && find_grid(t, axis, room, &g[axis]) && g[axis].count <= ASP_MAP_SIDE_MOST)
+  while (axis < 2 && find_grid(t, axis, room, &g[axis]))
     axis++;
   free(room);
   if (axis < 2)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: the %s of its points are on no grid of 2 to %d equal steps", path,
-                     axis ? "y" : "x", ASP_MAP_SIDE_MOST);
+    return aspi_fail(error, ASP_EDATA, "%.200s: the %s of its points are on no grid of equal steps",
+                     path, axis ? "y" : "x");
   raw->columns = g[0].count;
   raw->rows = g[1].count;
   if ((double)raw->columns * (double)raw->rows > 4 * (double)t->count + 1e4)
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: its %zu points fill less than a quarter of their grid of %zu x %zu",
                      path, t->count, raw->columns, raw->rows);
-  raw->heights = aspi_map_room(raw->columns, raw->rows);
-  if (!raw->heights)
+  raw->z = aspi_allocate(raw->columns * raw->rows);
+  if (!raw->z)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", raw->columns,
                      raw->rows);
   raw->points = raw->room = raw->columns * raw->rows;
   for (size_t i = 0; i < raw->points; i++)
-    aspi_raw_put(raw, i, NAN);
+    raw->z[i] = NAN;
   return ASP_OK;
 }
 
@@ -107,9 +105,7 @@ asp_code aspi_map_points_place(const aspi_map_points *t, const char *path,
                        "%.200s: point %zu, at x %g, y %g, is off the grid of %g x %g that the "
                        "others are on",
                        path, i + 1, at[0], at[1], g[0].step, g[1].step);
-    if (isfinite(at[2]) && isnan(raw->zero))
-      raw->zero = at[2] * unit[2];
-    aspi_raw_put(raw, (size_t)row * raw->columns + (size_t)column, at[2] * unit[2] - raw->zero);
+    raw->z[(size_t)row * raw->columns + (size_t)column] = at[2] * unit[2];
   }
   for (int k = 0; k < 2 && !code; k++)
     raw->step[k] = g[k].step * unit[k];

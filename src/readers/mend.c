@@ -6,8 +6,7 @@
 #include "readers/read.h"
 #include "base/error.h"
 #include "base/least_squares.h"
-#include "surface/map.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 #include "base/tolerances.h"
 
 #include <gsl/gsl_rstat.h>
@@ -32,7 +31,7 @@ _Static_assert((ASP_FORM_MAX + 1) * (ASP_FORM_MAX + 2) / 2 <= ASP_TERMS_MOST,
                "the largest form has more terms than a fit");
 
 static const char *name_of(const aspi_raw *raw) {
-  return raw->is_map ? "map" : "profile";
+  return aspi_kind_of_rows(raw->rows);
 }
 
 /* ---- form ---- */
@@ -48,7 +47,7 @@ static void pass(aspi_raw *raw, int degree, aspi_least_squares *fit, bool subtra
   double px[ASP_FORM_MAX + 1], py[ASP_FORM_MAX + 1], t[ASP_TERMS_MOST];
   int most_y = raw->is_map ? degree : 0;
   for (size_t at = 0; at < raw->points; at++) {
-    double z = aspi_raw_at(raw, at);
+    double z = raw->z[at];
     if (at % raw->columns == 0)
       legendre(degree, at / raw->columns, raw->rows, py);
     if (isnan(z))
@@ -59,7 +58,7 @@ static void pass(aspi_raw *raw, int degree, aspi_least_squares *fit, bool subtra
       for (int j = 0; j <= most_y && i + j <= degree; j++)
         t[k++] = px[i] * py[j];
     if (subtract)
-      aspi_raw_put(raw, at, z - aspi_least_squares_value(fit, t));
+      raw->z[at] = z - aspi_least_squares_value(fit, t);
     else
       aspi_least_squares_add(fit, t, z);
   }
@@ -97,8 +96,8 @@ static double off_line(const aspi_raw *raw, size_t at, const long direction[2]) 
     long a = k * direction[0], b = k * direction[1];
     if (i - labs(a) < 0 || i + labs(a) >= columns || j - b < 0 || j + b >= rows)
       break;
-    double one = aspi_raw_at(raw, (size_t)((j + b) * columns + i + a));
-    double two = aspi_raw_at(raw, (size_t)((j - b) * columns + i - a));
+    double one = raw->z[(size_t)((j + b) * columns + i + a)];
+    double two = raw->z[(size_t)((j - b) * columns + i - a)];
     if (isnan(one) || isnan(two))
       continue;
     line[count++] = one;
@@ -107,7 +106,7 @@ static double off_line(const aspi_raw *raw, size_t at, const long direction[2]) 
   if (count == 0)
     return INFINITY;
   gsl_sort(line, 1, count);
-  return fabs(aspi_raw_at(raw, at) - gsl_stats_median_from_sorted_data(line, 1, count));
+  return fabs(raw->z[at] - gsl_stats_median_from_sorted_data(line, 1, count));
 }
 
 /* A good point's distances from its neighbors over all directions: the least, since a point on the
@@ -121,7 +120,7 @@ static offsets off_neighbors(const aspi_raw *raw, size_t at) {
   static const long directions[][2] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
   double least = INFINITY, sum = 0;
   int count = 0;
-  if (isnan(aspi_raw_at(raw, at)))
+  if (isnan(raw->z[at]))
     return (offsets){NAN, NAN};
   for (size_t k = 0; k < (raw->is_map ? sizeof directions / sizeof *directions : 1); k++) {
     double off = off_line(raw, at, directions[k]);
@@ -160,7 +159,7 @@ static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times
       *first = *count ? *first : i;
       ++*count;
       if (mark)
-        aspi_raw_put(raw, i, NAN);
+        raw->z[i] = NAN;
     }
   free(is_spike);
   return ASP_OK;
@@ -189,7 +188,7 @@ static asp_code check_bad(const aspi_raw *raw, const char *path, size_t spikes, 
 
 /* Cuts the bad ends of a profile off. */
 static void cut_ends(aspi_raw *raw) {
-  double *z = raw->heights;
+  double *z = raw->z;
   size_t first = 0;
   while (raw->points > 0 && isnan(z[raw->points - 1]))
     raw->points--;
@@ -210,12 +209,12 @@ typedef struct filling {
 static void bridge(const aspi_raw *raw, size_t from, size_t n, size_t stride, filling *f) {
   size_t before = n; /* the last good point; n: none */
   for (size_t i = 0; i <= n; i++) {
-    double z = i < n ? aspi_raw_at(raw, from + i * stride) : NAN;
+    double z = i < n ? raw->z[from + i * stride] : NAN;
     if (i < n && isnan(z))
       continue;
     size_t first = before < n ? before + 1 : 0;
     bool inside = before < n && i < n;
-    double low = before < n ? aspi_raw_at(raw, from + before * stride) : z, high = i < n ? z : low;
+    double low = before < n ? raw->z[from + before * stride] : z, high = i < n ? z : low;
     double weight = 1 / (double)(i - first + (inside ? 0 : n));
     for (size_t k = first; k < i && (before < n || i < n); k++) {
       double share = inside ? (double)(k - before) / (double)(i - before) : 0;
@@ -239,8 +238,8 @@ static asp_code fill_gaps(aspi_raw *raw, aspi_profile_report *report, asp_error 
   for (size_t i = 0; made && raw->is_map && i < raw->columns; i++)
     bridge(raw, i, raw->rows, raw->columns, &f);
   for (size_t i = 0; made && i < raw->points; i++)
-    if (isnan(aspi_raw_at(raw, i))) {
-      aspi_raw_put(raw, i, f.weight[i] > 0 ? f.sum[i] / f.weight[i] : 0);
+    if (isnan(raw->z[i])) {
+      raw->z[i] = f.weight[i] > 0 ? f.sum[i] / f.weight[i] : 0;
       report->filled++;
     }
   report->longest_gap = f.longest;
@@ -266,13 +265,13 @@ static asp_code check_lengths(const aspi_raw *raw, const char *path, asp_error *
                        "%.200s: heights up to %g m at a spacing of %g m are no surface; is the "
                        "unit right?",
                        path, most, raw->step[k]);
-  bool fits = raw->columns >= ASP_MAP_SIDE_LEAST && raw->rows >= ASP_MAP_SIDE_LEAST &&
-              raw->columns <= ASP_MAP_SIDE_MOST && raw->rows <= ASP_MAP_SIDE_MOST;
-  if (!raw->is_map || fits)
+  if (raw->columns >= ASP_SIDE_LEAST && raw->points <= ASP_POINTS_MOST &&
+      (!raw->is_map || raw->rows >= ASP_SIDE_LEAST))
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA,
-                   "%.200s: a map of %zu x %zu points; its sides must have %d to %d", path,
-                   raw->columns, raw->rows, ASP_MAP_SIDE_LEAST, ASP_MAP_SIDE_MOST);
+                   "%.200s: a %s of %zu x %zu points; its sides must have at least %d, and all "
+                   "together at most %zu",
+                   path, name_of(raw), raw->columns, raw->rows, ASP_SIDE_LEAST, ASP_POINTS_MOST);
 }
 
 /* Takes the form out, and again where spikes were in it. */
@@ -301,18 +300,17 @@ asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *
   asp_code code = check_lengths(raw, path, error);
   if (!code)
     code = check_bad(raw, path, 0, 0, options->fill, error);
-  double least, most,
-      rounding = (raw->is_map ? ASPI_ROUNDING_SINGLE : ASPI_ROUNDING_DOUBLE) * largest(raw);
+  double least, most, rounding = ASPI_ROUNDING_DOUBLE * largest(raw);
   if (!code)
     code = level(raw, path, options, report, error);
   if (!code)
     code = fill_gaps(raw, report, error);
   if (!code && !raw->is_map)
-    code = aspi_filter(raw->heights, raw->points, raw->step[0], &options->filters, error);
+    code = aspi_filter(raw->z, raw->points, raw->step[0], &options->filters, error);
   if (code)
     return code;
   aspi_raw_range(raw, &least, &most);
-  if (raw->points >= ASP_POINTS_LEAST && most - least > rounding)
+  if (raw->points >= ASP_SIDE_LEAST && most - least > rounding)
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA, "%.200s: the %s is constant%s", path, name_of(raw),
                    options->form > 0 ? " but for its form" : "");

@@ -207,9 +207,9 @@ static asp_code interpolate(aspi_positions *p, aspi_raw *raw, asp_error *error) 
 static void reverse(aspi_raw *raw) {
   for (size_t i = 0, j = raw->points; i + 1 < j; i++) {
     j--;
-    double height = aspi_raw_at(raw, i);
-    aspi_raw_put(raw, i, aspi_raw_at(raw, j));
-    aspi_raw_put(raw, j, height);
+    double height = raw->z[i];
+    raw->z[i] = raw->z[j];
+    raw->z[j] = height;
   }
 }
 

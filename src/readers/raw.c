@@ -12,27 +12,21 @@ enum { ROOM_FIRST = 4096 };
 asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error) {
   if (raw->points == raw->room) {
     size_t room = raw->room ? raw->room + raw->room / 2 : ROOM_FIRST;
-    size_t size = raw->is_map ? sizeof(float) : sizeof(double);
-    void *grown = room <= SIZE_MAX / size ? realloc(raw->heights, room * size) : NULL;
+    double *grown = room <= SIZE_MAX / sizeof *grown ? realloc(raw->z, room * sizeof *grown) : NULL;
     if (!grown)
       return aspi_fail(error, ASP_ENOMEM, "out of memory for a %s of over %zu points",
                        raw->is_map ? "map" : "profile", raw->points);
-    raw->heights = grown;
+    raw->z = grown;
     raw->room = room;
   }
-  if (raw->is_map) {
-    height = isfinite(height) ? height : NAN;
-    raw->zero = isnan(raw->zero) ? height : raw->zero;
-    height -= raw->zero;
-  }
-  aspi_raw_put(raw, raw->points++, height);
+  raw->z[raw->points++] = height;
   return ASP_OK;
 }
 
 size_t aspi_raw_count_bad(const aspi_raw *raw) {
   size_t count = 0;
   for (size_t i = 0; i < raw->points; i++)
-    count += isnan(aspi_raw_at(raw, i));
+    count += isnan(raw->z[i]);
   return count;
 }
 
@@ -40,7 +34,7 @@ void aspi_raw_range(const aspi_raw *raw, double *least, double *most) {
   *least = INFINITY;
   *most = -INFINITY;
   for (size_t i = 0; i < raw->points; i++) {
-    *least = fmin(*least, aspi_raw_at(raw, i));
-    *most = fmax(*most, aspi_raw_at(raw, i));
+    *least = fmin(*least, raw->z[i]);
+    *most = fmax(*most, raw->z[i]);
   }
 }

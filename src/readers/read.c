@@ -5,8 +5,7 @@
 #include "readers/read.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "surface/map.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -107,55 +106,35 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
   return aspi_read_columns(text, options, raw, error);
 }
 
-/* Heights as they are to be, but for their unit, and the report of them. */
-static asp_code read_mended(FILE *stream, const char *path, const aspi_profile_options *options,
-                            aspi_raw *raw, aspi_profile_report *report, asp_error *error) {
+asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
+                       const aspi_profile_options *options, aspi_profile_report *report,
+                       asp_error *error) {
+  aspi_profile_options defaults = aspi_profile_options_default();
   aspi_profile_report own;
+  aspi_raw raw = {.is_map = is_map};
+  options = options ? options : &defaults;
   report = report ? report : &own;
   *report = (aspi_profile_report){0};
   FILE *file = stream ? stream : aspi_file_open(path, error);
   if (!file)
-    return error ? error->code : ASP_EFILE;
+    return NULL;
   aspi_text text = aspi_text_create(file, path);
-  asp_code code = read_raw(&text, options, raw, error);
-  if (raw->is_map) {
-    raw->read = raw->points;
-    raw->bad = aspi_raw_count_bad(raw);
-    raw->step_least = raw->step[0];
-    raw->step_most = raw->step[1];
+  asp_code code = read_raw(&text, options, &raw, error);
+  if (is_map) {
+    raw.read = raw.points;
+    raw.bad = aspi_raw_count_bad(&raw);
   }
   if (!code)
-    code = aspi_mend(raw, path, options, report, error);
+    code = aspi_mend(&raw, path, options, report, error);
   if (file != stream)
     fclose(file);
-  if (code)
-    free(raw->heights);
-  else
-    write_report(report, raw, options);
-  return code;
-}
-
-asp_profile *aspi_profile_read(FILE *stream, const char *path, const aspi_profile_options *options,
-                               aspi_profile_report *report, asp_error *error) {
-  aspi_profile_options defaults = aspi_profile_options_default();
-  aspi_raw raw = {0};
-  options = options ? options : &defaults;
-  if (read_mended(stream, path, options, &raw, report, error))
+  if (code) {
+    free(raw.z);
     return NULL;
+  }
+  write_report(report, &raw, options);
   for (size_t i = 0; i < raw.points; i++)
-    aspi_raw_put(&raw, i, aspi_raw_at(&raw, i) * options->meter);
-  return aspi_profile_adopt(raw.heights, raw.points, raw.step[0] * options->meter, false, error);
-}
-
-asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_options *options,
-                       aspi_profile_report *report, asp_error *error) {
-  aspi_raw raw = {.is_map = true, .zero = NAN};
-  if (read_mended(stream, path, options, &raw, report, error))
-    return NULL;
-  double meter = options->meter, step[2] = {raw.step[0] * meter, raw.step[1] * meter}, mean = 0;
-  for (size_t i = 0; i < raw.points; i++)
-    mean += aspi_raw_at(&raw, i) / (double)raw.points;
-  for (size_t i = 0; i < raw.points; i++)
-    aspi_raw_put(&raw, i, (aspi_raw_at(&raw, i) - mean) * meter);
-  return aspi_map_adopt(raw.heights, raw.columns, raw.rows, step, false, error);
+    raw.z[i] *= options->meter;
+  const double step[] = {raw.step[0] * options->meter, raw.step[is_map] * options->meter};
+  return aspi_heights_adopt(raw.z, raw.columns, raw.rows, step, false, error);
 }

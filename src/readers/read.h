@@ -55,13 +55,12 @@ typedef struct aspi_profile_report {
   char warnings[440]; /* what makes the heights doubtful, or "" */
 } aspi_profile_report;
 
-/* Read a measured profile or map from a stream at its beginning, or where that is NULL from the
- * file `path`, level and repair it as the options ask; see asp_reader. `report` may be NULL, and of
- * a profile the options: the defaults. NULL on error; the message names file and line. */
-asp_profile *aspi_profile_read(FILE *stream, const char *path, const aspi_profile_options *options,
-                               aspi_profile_report *report, asp_error *error);
-asp_map *aspi_map_read(FILE *stream, const char *path, const aspi_profile_options *options,
-                       aspi_profile_report *report, asp_error *error);
+/* Reads a measured profile or map from a stream at its beginning, or where that is NULL from the
+ * file `path`, levels and repairs it as the options ask; see asp_reader. NULL for `options`: the
+ * defaults; for `report`: none. NULL on error; the message names file and line. */
+asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
+                       const aspi_profile_options *options, aspi_profile_report *report,
+                       asp_error *error);
 
 /* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
  * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
@@ -74,11 +73,10 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
 /* Heights as a file has them, row by row; a profile is one row. NAN where a height is bad or
  * missing. Memory grows with what is read, so that a header's counts alone allocate nothing. */
 typedef struct aspi_raw {
-  void *heights; /* m; doubles, or of a map floats over its first good height, `zero` */
+  double *z; /* m */
   bool is_map;
   size_t points, room, columns, rows;
   double step[2];   /* m, between columns and rows; of a profile the first alone */
-  double zero;      /* NAN before the first good height */
   size_t read, bad; /* points in the file, and the bad ones of them */
   size_t bad_line;  /* where the first bad point or gap is; 0: not known */
   bool resampled;
@@ -90,17 +88,6 @@ typedef struct aspi_raw {
   size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
 } aspi_raw;
-
-static inline double aspi_raw_at(const aspi_raw *raw, size_t i) {
-  return raw->is_map ? (double)((const float *)raw->heights)[i] : ((const double *)raw->heights)[i];
-}
-
-static inline void aspi_raw_put(aspi_raw *raw, size_t i, double height) {
-  if (raw->is_map)
-    ((float *)raw->heights)[i] = (float)height;
-  else
-    ((double *)raw->heights)[i] = height;
-}
 
 /* Adds a height (m). */
 asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
@@ -120,7 +107,7 @@ typedef enum aspi_format {
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
 /* The readers of a text at its beginning: a profile's columns, SDF, and a map as a matrix of
- * heights or lines of x, y, z. They leave raw->heights to be freed by the caller, on error too. */
+ * heights or lines of x, y, z. They leave raw->z to be freed by the caller, on error too. */
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error);
 asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,

@@ -90,13 +90,9 @@ asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_
   return aspi_profile_options_set(&reader->options, name, value, error);
 }
 
-asp_profile *asp_reader_read(asp_reader *reader, const char *path, asp_error *error) {
-  return aspi_profile_read(NULL, aspi_word_or_empty(path), &reader->options, &reader->report,
-                           error);
-}
-
-asp_map *asp_reader_read_map(asp_reader *reader, const char *path, asp_error *error) {
-  return aspi_map_read(NULL, aspi_word_or_empty(path), &reader->options, &reader->report, error);
+asp_heights *asp_reader_read(asp_reader *reader, const char *path, bool is_map, asp_error *error) {
+  return aspi_read(NULL, aspi_word_or_empty(path), is_map, &reader->options, &reader->report,
+                   error);
 }
 
 const char *asp_reader_advice(const char *message) {

@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/read.h"
-#include "surface/map.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -234,7 +234,7 @@ static asp_code check_options(const char *path, const aspi_profile_options *opti
 
 /* Checks the numbers of a header, in ASCII where type is -1. */
 static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_error *error) {
-  const double least = is_map ? ASP_MAP_SIDE_LEAST : 1, most = is_map ? ASP_MAP_SIDE_MOST : 1e12;
+  const double least = is_map ? ASP_SIDE_LEAST : 1, most = 1e12;
   const struct {
     const char *key;
     double value, least, most;

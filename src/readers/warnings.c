@@ -40,7 +40,7 @@ static void find_ends(const aspi_raw *raw, aspi_steps *s) {
   bool few = true;
   aspi_raw_range(raw, &s->end[0], &s->end[1]);
   for (size_t i = 0; i < raw->points; i++) {
-    double z = aspi_raw_at(raw, i);
+    double z = raw->z[i];
     s->points += !isnan(z);
     few = few && (isnan(z) || add_level(level, &s->levels, z));
   }
@@ -54,7 +54,7 @@ static void find_cut(const aspi_raw *raw, int end, aspi_steps *s) {
   size_t there = 0, near = 0;
   bool before = false;
   for (size_t i = 0; i < raw->points; i++) {
-    double off = fabs(aspi_raw_at(raw, i) - at);
+    double off = fabs(raw->z[i] - at);
     bool is_there = off <= ASPI_ROUNDING_TEXT * range;
     there += is_there && before;
     near += !is_there && off <= next;
@@ -69,7 +69,7 @@ aspi_steps aspi_steps_find(const aspi_raw *raw) {
   find_ends(raw, &s);
   double least = ASPI_ROUNDING_TEXT * (s.end[1] - s.end[0]);
   for (size_t i = 1; i < raw->points; i++) {
-    double step = fabs(aspi_raw_at(raw, i) - aspi_raw_at(raw, i - 1));
+    double step = fabs(raw->z[i] - raw->z[i - 1]);
     if (step > least && step < s.quantum)
       s.quantum = step;
   }

@@ -8,8 +8,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/flight.h"
 #include "base/error.h"
-#include "spread/line.h"
 #include "surface/ball.h"
+#include "surface/closing.h"
+#include "surface/heights.h"
 
 #include <float.h>
 #include <math.h>
@@ -35,6 +36,15 @@ static ptrdiff_t next_of(ptrdiff_t k, ptrdiff_t n) {
   return k + 1 < n ? k + 1 : 0;
 }
 
+/* Rms heights that a beam must fall over the field, so that its first hits lie on many peaks. */
+#define RISE_LEAST 16
+
+/* A steeper beam is vertical. */
+#define FALL_MOST 1e12
+
+/* Points of the path over a profile, unless the profile has more. */
+#define ROW_POINTS_MOST ((size_t)131072)
+
 /* A cell: its first corner, and the points and heights of all corners. */
 typedef struct cell {
   double at[2];
@@ -42,13 +52,17 @@ typedef struct cell {
   double z[4];
 } cell;
 
-static cell cell_at(const aspi_field *f, const ptrdiff_t at[2]) {
+static inline cell cell_at(const aspi_field *f, const ptrdiff_t at[2]) {
   const float *one = f->z + f->stride * f->columns * at[1];
-  const float *two = f->z + f->stride * f->columns * next_of(at[1], f->rows);
   ptrdiff_t i = f->stride * at[0], k = f->stride * next_of(at[0], f->columns);
-  cell c = {{(double)at[0], (double)at[1]}, {one + i, one + k, two + i, two + k}, {0}};
-  for (int a = 0; a < 4; a++)
-    c.z[a] = *c.point[a];
+  cell c = {{(double)at[0], (double)at[1]}, {one + i, one + k}, {one[i], one[k]}};
+  if (f->axes > 1) {
+    const float *two = f->z + f->stride * f->columns * next_of(at[1], f->rows);
+    c.point[2] = two + i;
+    c.point[3] = two + k;
+    c.z[2] = two[i];
+    c.z[3] = two[k];
+  }
   return c;
 }
 
@@ -72,8 +86,10 @@ static size_t lay_out(aspi_field *f, float *room) {
 
 static asp_code create(aspi_field *f, size_t columns, size_t rows, size_t stride,
                        asp_error *error) {
-  *f = (aspi_field){
-      .columns = (ptrdiff_t)columns, .rows = (ptrdiff_t)rows, .stride = (ptrdiff_t)stride};
+  *f = (aspi_field){.columns = (ptrdiff_t)columns,
+                    .rows = (ptrdiff_t)rows,
+                    .axes = rows > 1 ? 2 : 1,
+                    .stride = (ptrdiff_t)stride};
   float none;
   size_t count = stride * columns * rows + lay_out(f, &none);
   f->z = count <= SIZE_MAX / sizeof(float) ? malloc(count * sizeof(float)) : NULL;
@@ -91,6 +107,8 @@ void aspi_field_free(aspi_field *f) {
 /* The maximum over a block of cells. */
 static inline float *top_of(const aspi_field *f, int level, ptrdiff_t i, ptrdiff_t j) {
   const aspi_tops *of = &f->level[level];
+  if (f->axes == 1) /* tiles of one row are in order */
+    return of->most + i;
   return of->most + ((j >> 2) * of->across + (i >> 2)) * f->tile + 4 * (j & 3) + (i & 3);
 }
 
@@ -101,7 +119,7 @@ static void fill_tops(aspi_field *f) {
       const float *tile = f->level[k].most + n * f->tile;
       float most = tile[0];
       for (ptrdiff_t i = 1; i < f->tile; i++)
-        most = aspi_larger_float(most, tile[i]);
+        most = tile[i] > most ? tile[i] : most;
       if (k + 1 < f->levels)
         *top_of(f, k + 1, n % f->level[k].across, n / f->level[k].across) = most;
       else
@@ -122,58 +140,89 @@ static void finish(aspi_field *f) {
     for (ptrdiff_t i = 0; i < f->columns; i++) {
       cell c = cell_at(f, (const ptrdiff_t[2]){i, j});
       if (i < f->cells[0] && j < f->cells[1])
-        *top_of(f, 0, i, j) = (float)fmax(fmax(c.z[0], c.z[1]), fmax(c.z[2], c.z[3]));
+        *top_of(f, 0, i, j) =
+            (float)fmax(fmax(c.z[0], c.z[1]), f->axes > 1 ? fmax(c.z[2], c.z[3]) : -INFINITY);
       f->bottom = fmin(f->bottom, c.z[0]);
       mean += c.z[0] / n;
       square += c.z[0] * c.z[0] / n;
     }
   f->bottom -= f->step[0]; /* clearly below */
-  f->fall_least = ASPI_RISE_LEAST * sqrt(fmax(0, square - mean * mean)) / (n * f->step[0]);
+  f->fall_least = RISE_LEAST * sqrt(fmax(0, square - mean * mean)) / (n * f->step[0]);
   fill_tops(f);
 }
 
-asp_code aspi_field_over_profile(aspi_field *f, const asp_profile *profile, double d_p,
-                                 asp_error *error) {
-  aspi_line line;
-  asp_code code = aspi_line_over_profile(&line, profile, d_p, error);
-  if (code)
-    return code;
-  code = create(f, line.n, 1, 1, error);
-  if (!code) {
-    f->step[0] = f->step[1] = line.step;
-    f->wraps = true;
-    for (size_t i = 0; i < line.n; i++) /* relative to one of them, for the digits */
-      f->z[i] = (float)(line.end_z[i > 0 ? i - 1 : line.n - 1] - line.end_z[0]);
-    finish(f);
-  }
-  aspi_line_free(&line);
+static asp_code fill_row(aspi_field *f, const asp_heights *profile, double d_p, asp_error *error) {
+  asp_error own;
+  error = error ? error : &own;
+  asp_heights *rolled = NULL; /* a point follows the profile itself */
+  if (d_p > 0 && !(rolled = aspi_profile_path(profile, d_p, ROW_POINTS_MOST, error)))
+    return error->code;
+  const asp_heights *path = rolled ? rolled : profile;
+  size_t points = path->columns, n = path->periodic ? points : 2 * points - 2;
+  asp_code code = create(f, n, 1, 1, error);
+  for (size_t i = 0; i < n && !code; i++)
+    f->z[i] = (float)(path->z[i < points ? i : n - i] - path->z[0]);
+  f->step[0] = f->step[1] = path->step[0];
+  f->wraps = true;
+  asp_heights_free(rolled);
   return code;
 }
 
-asp_code aspi_field_over_map(aspi_field *f, const asp_map *map, double d_p, const aspi_grid *g,
-                             asp_error *error) {
+static asp_code fill_map(aspi_field *f, const asp_heights *map, double d_p, const aspi_grid *g,
+                         asp_error *error) {
   aspi_ball *ball = aspi_ball_create(map, d_p, error);
   asp_code code = ball ? create(f, g->count[0], g->count[1], 3, error) : ASP_ENOMEM;
-  if (!code) {
-    double dx = map->step[0], dy = map->step[1], stride = (double)g->stride;
-    f->step[0] = dx * stride;
-    f->step[1] = dy * stride;
-    f->wraps = map->periodic && g->count[0] == map->columns && g->count[1] == map->rows;
-    for (ptrdiff_t j = 0; j < f->rows; j++) {
-      aspi_ball_search search = aspi_ball_begin(ball);
-      for (ptrdiff_t i = 0; i < f->columns; i++) {
-        aspi_touch touch = aspi_ball_at(&search, ((double)g->first[0] + stride * (double)i) * dx,
-                                        ((double)g->first[1] + stride * (double)j) * dy);
-        float *point = f->z + f->stride * (j * f->columns + i);
-        point[0] = (float)touch.height;
-        point[1] = (float)touch.p;
-        point[2] = (float)touch.q;
-      }
+  double dx = map->step[0], dy = map->step[1], stride = (double)g->stride;
+  f->step[0] = dx * stride;
+  f->step[1] = dy * stride;
+  f->wraps = map->periodic && g->count[0] == map->columns && g->count[1] == map->rows;
+  for (ptrdiff_t j = 0; j < f->rows && !code; j++) {
+    aspi_ball_search search = aspi_ball_begin(ball);
+    for (ptrdiff_t i = 0; i < f->columns; i++) {
+      aspi_touch touch = aspi_ball_at(&search, ((double)g->first[0] + stride * (double)i) * dx,
+                                      ((double)g->first[1] + stride * (double)j) * dy);
+      float *point = f->z + f->stride * (j * f->columns + i);
+      point[0] = (float)(touch.height - map->z[0]);
+      point[1] = (float)touch.p;
+      point[2] = (float)touch.q;
     }
-    finish(f);
   }
   aspi_ball_free(ball);
   return code;
+}
+
+asp_code aspi_field_create(aspi_field *f, const asp_heights *heights, double d_p,
+                           const aspi_grid *grid, asp_error *error) {
+  *f = (aspi_field){0};
+  asp_code code = aspi_check_range(error, "d_p", "", d_p, 0, INFINITY);
+  if (!code)
+    code = heights->rows > 1 ? fill_map(f, heights, d_p, grid, error)
+                             : fill_row(f, heights, d_p, error);
+  if (!code)
+    finish(f);
+  return code;
+}
+
+/* ---- the first hits on a row: a path is a constant value of g = z + x fall, and touches where g
+ * passes its running maximum ---- */
+
+double aspi_field_slope(const aspi_field *f, size_t i) {
+  size_t next = (size_t)next_of((ptrdiff_t)i, f->columns);
+  return ((double)f->z[next] - (double)f->z[i]) / f->step[0];
+}
+
+double aspi_field_fall(const aspi_field *f, double alpha1) {
+  return fmin(fmax(tan(alpha1), f->fall_least), FALL_MOST);
+}
+
+void aspi_field_first_hits(const aspi_field *f, double fall, double *weight) {
+  double rise = fall * f->step[0], highest = -INFINITY;
+  for (ptrdiff_t k = -f->columns; k < f->columns; k++) {
+    ptrdiff_t i = k < 0 ? k + f->columns : k;
+    double g = f->z[next_of(i, f->columns)] + rise * (double)(k + 1);
+    weight[i] = g > highest && k >= 0 ? (g - highest) / (rise * (double)f->columns) : 0;
+    highest = g > highest ? g : highest;
+  }
 }
 
 /* ---- flying ---- */
@@ -191,16 +240,23 @@ static double along(const ray *r, int axis, double t) {
   return r->x[axis] + t * r->v[axis];
 }
 
+/* Height of the surface of a cell, u and v from its first corner. */
+static double height(const aspi_field *f, const cell *c, double u, double v) {
+  return f->axes > 1 ? bilinear(c->z, u, v) : c->z[0] + u * (c->z[1] - c->z[0]);
+}
+
 /* Height of the flight over the surface of a cell. */
-static double over(const ray *r, const cell *c, double t) {
-  return along(r, 2, t) - bilinear(c->z, along(r, 0, t) - c->at[0], along(r, 1, t) - c->at[1]);
+static double over(const aspi_field *f, const ray *r, const cell *c, double t) {
+  return along(r, 2, t) - height(f, c, along(r, 0, t) - c->at[0], along(r, 1, t) - c->at[1]);
 }
 
 /* The exact time between t[0] and t[1] at which the flight meets the surface of a cell: over() is a
- * parabola. False if it does not come from above. */
-static bool meets(const ray *r, const cell *c, const double t[2], double *at) {
-  double a = over(r, c, t[0]), b = over(r, c, t[1]), m = over(r, c, 0.5 * (t[0] + t[1]));
-  double curve = 2 * (a + b - 2 * m), slope = b - a - curve;
+ * parabola, over a row a line. False if it does not come from above. */
+static bool meets(const aspi_field *f, const ray *r, const cell *c, const double t[2], double *at) {
+  double a = over(f, r, c, t[0]), b = over(f, r, c, t[1]), curve = 0;
+  if (f->axes > 1)
+    curve = 2 * (a + b - 2 * over(f, r, c, 0.5 * (t[0] + t[1])));
+  double slope = b - a - curve;
   if (a <= 0) { /* below the surface already: a hit at the edge if it still sinks */
     *at = t[0];
     return slope < 0;
@@ -224,6 +280,11 @@ static bool approaches(const double way[3], const double gradient[2]) {
  * particle approaches it; else that of the surface. */
 static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
                         double gradient[2]) {
+  if (f->axes == 1) {
+    gradient[0] = (c->z[1] - c->z[0]) / f->step[0];
+    gradient[1] = 0;
+    return;
+  }
   gradient[0] = ((1 - v) * (c->z[1] - c->z[0]) + v * (c->z[3] - c->z[2])) / f->step[0];
   gradient[1] = ((1 - u) * (c->z[2] - c->z[0]) + u * (c->z[3] - c->z[1])) / f->step[1];
   if (!aspi_field_has_gradients(f))
@@ -282,13 +343,13 @@ typedef struct walk {
 static void find_end(const aspi_field *f, walk *w) {
   int shift = 2 * w->level;
   double out[2];
-  for (int a = 0; a < 2; a++) {
+  for (int a = 0; a < f->axes; a++) {
     ptrdiff_t first = w->at[a] >> shift << shift, end = first + ((ptrdiff_t)1 << shift);
     w->end[a][0] = first;
     w->end[a][1] = end < f->cells[a] ? end : f->cells[a];
     out[a] = ((double)w->end[a][w->ahead[a]] - w->r.x[a]) * w->inverse[a];
   }
-  w->axis = out[1] < out[0];
+  w->axis = f->axes > 1 && out[1] < out[0];
   double last = out[w->axis] < w->most ? out[w->axis] : w->most;
   w->last = last > w->t ? last : w->t;
 }
@@ -300,7 +361,8 @@ static void leave(const aspi_field *f, walk *w) {
   ptrdiff_t from = w->at[a] >> larger;
   w->t = w->last;
   w->at[a] = w->end[a][w->ahead[a]] - !w->ahead[a];
-  w->at[b] = clamped(along(&w->r, b, w->t), w->end[b][0], w->end[b][1]);
+  if (f->axes > 1)
+    w->at[b] = clamped(along(&w->r, b, w->t), w->end[b][0], w->end[b][1]);
   if ((size_t)w->at[a] >= (size_t)f->cells[a])
     reenter(f, &w->r, w->t, a, w->at);
   if (w->level + 1 < f->levels && w->at[a] >> larger != from)
@@ -313,7 +375,7 @@ static void land(const aspi_field *f, const walk *w, const cell *c, double t, co
   for (int a = 0; a < 2; a++)
     spot->x[a] = fmin(fmax(along(&w->r, a, t), c->at[a]), c->at[a] + 1);
   double u = spot->x[0] - c->at[0], v = spot->x[1] - c->at[1];
-  spot->z = bilinear(c->z, u, v);
+  spot->z = height(f, c, u, v);
   spot->lies = true;
   gradient_at(f, c, u, v, way, gradient);
 }
@@ -325,12 +387,12 @@ static bool hits(const aspi_field *f, const walk *w, const double way[3], bool *
                  aspi_spot *spot, double gradient[2]) {
   cell c = cell_at(f, w->at);
   double span[2] = {w->t, w->last}, at = w->t;
-  bool met = *clear && meets(&w->r, &c, span, &at), below_all = way[2] < 0 && w->last >= w->most;
+  bool met = *clear && meets(f, &w->r, &c, span, &at), below_all = way[2] < 0 && w->last >= w->most;
   if (met || below_all) {
     land(f, w, &c, at, way, spot, gradient);
     return true;
   }
-  bool above = over(&w->r, &c, w->last) > 0;
+  bool above = over(f, &w->r, &c, w->last) > 0;
   if (!*clear && !above) {
     aspi_spot below = *spot;
     land(f, w, &c, w->last, way, &below, gradient);

@@ -4,7 +4,7 @@
 #ifndef ASP_SPREAD_FLIGHT_H
 #define ASP_SPREAD_FLIGHT_H
 
-#include "surface/map.h"
+#include "asperity_internal.h"
 
 /* Maxima over blocks of cells, which tell what is high without a look at each: level k has one for
  * each block of 4^k x 4^k cells. Those of a tile of 4 x 4 blocks stand together. */
@@ -16,13 +16,14 @@ typedef struct aspi_tops {
 enum { ASPI_TOPS_MOST = 32 };
 
 /* Heights of the center of a sphere that rests on the wall (the dilated wall), bilinear between
- * points; a profile is one row. */
+ * points. A profile is one row: faces between points, along x alone. */
 typedef struct aspi_field {
   ptrdiff_t columns, rows, cells[2]; /* cells between points along x and y */
+  int axes;                          /* 1 for one row, else 2 */
   double step[2];
   bool wraps;       /* repeats beyond its edges */
   ptrdiff_t stride; /* numbers of a point: 1, or 3 with the gradient of the contact there */
-  float *z;         /* of all points, row after row; then the maxima */
+  float *z;         /* of all points, row after row, from one of them; then the maxima */
   ptrdiff_t tile;   /* blocks in a tile: 16, or 4 of one row */
   int levels;
   aspi_tops level[ASPI_TOPS_MOST];
@@ -36,21 +37,25 @@ static inline bool aspi_field_has_gradients(const aspi_field *field) {
   return field->stride > 1;
 }
 
-/* The path of the center of a disc of diameter d_p over a profile, 0 <= d_p <= length. A measured
- * profile continues as its mirror image. */
-asp_code aspi_field_over_profile(aspi_field *field, const asp_profile *profile, double d_p,
-                                 asp_error *error);
-
 /* Points of a map: every `stride`th of each side, from `first` on. */
 typedef struct aspi_grid {
   size_t stride, first[2], count[2];
 } aspi_grid;
 
-/* The dilation of a map by a sphere at these points, 0 <= d_p <= the shorter side. It repeats if
- * the map does and all of its points are there. */
-asp_code aspi_field_over_map(aspi_field *field, const asp_map *map, double d_p,
-                             const aspi_grid *grid, asp_error *error);
+/* The dilation of a profile by a disc of diameter d_p, or of a map at the points of a grid (which
+ * counts for maps only) by a sphere: from 0 to the shorter side. A measured profile continues as
+ * its mirror image; a map repeats if it is periodic and all of its points are there. */
+asp_code aspi_field_create(aspi_field *field, const asp_heights *heights, double d_p,
+                           const aspi_grid *grid, asp_error *error);
 void aspi_field_free(aspi_field *field);
+
+/* Of a row: the slope of the face behind point i; the slope tan(alpha1) at which a beam falls, at
+ * least that with which it meets more than a handful of peaks; and the share of such a beam that
+ * first hits each face, into weight[columns], sum 1: the rise of the running maximum of
+ * z + x fall over the face, in the second of two periods. */
+double aspi_field_slope(const aspi_field *field, size_t i);
+double aspi_field_fall(const aspi_field *field, double alpha1);
+void aspi_field_first_hits(const aspi_field *field, double fall, double *weight);
 
 /* A particle on the field, x and y in points. */
 typedef struct aspi_spot {

@@ -38,11 +38,10 @@ typedef struct aspi_path {
   double q; /* over a map: slope of the last face across the flight */
 } aspi_path;
 
-/* Heights of a wall: of a map, else of a profile, else of a generated Gaussian surface. */
+/* A wall with geometry; without heights that of a generated Gaussian profile. */
 typedef struct aspi_relief {
   const asp_surface *surface;
-  const asp_profile *profile;
-  const asp_map *map;
+  const asp_heights *heights;
 } aspi_relief;
 
 /* A view for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */

@@ -12,7 +12,7 @@
 #include "spread/flight.h"
 #include "spread/models.h"
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -44,10 +44,12 @@ static void release(void *data) {
 
 /* All points of a small map; of a larger one every second, third and so on, and of one that is too
  * large for that the middle. */
-static aspi_grid grid_of(const asp_map *map, double lambda) {
+static aspi_grid grid_of(const asp_heights *map, const asp_surface *surface) {
   const size_t side[2] = {map->columns, map->rows};
-  double step = fmax(map->step[0], map->step[1]);
   aspi_grid g = {.stride = 1};
+  if (map->rows == 1) /* a profile, all of which is flown over */
+    return g;
+  double step = aspi_heights_extent(map).spacing, lambda = asp_surface_lambda_c(surface);
   while (side[0] / g.stride * (side[1] / g.stride) > MAP_POINTS &&
          (double)(g.stride + 1) * step <= lambda / MAP_PER_LAMBDA)
     g.stride++;
@@ -60,41 +62,40 @@ static aspi_grid grid_of(const asp_map *map, double lambda) {
 }
 
 /* The field of a wall for one size; `made`: a generated profile, which is smooth, or NULL. */
-static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_profile *made, double d_p,
+static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_heights *made, double d_p,
                      asp_error *error) {
-  if (of->map) {
-    const aspi_grid grid = grid_of(of->map, asp_surface_lambda_c(of->surface));
-    return aspi_field_over_map(field, of->map, d_p, &grid, error);
+  if (of->heights) {
+    const aspi_grid grid = grid_of(of->heights, of->surface);
+    return aspi_field_create(field, of->heights, d_p, &grid, error);
   }
-  if (of->profile)
-    return aspi_field_over_profile(field, of->profile, d_p, error);
-  asp_profile *path = aspi_profile_rolled(made, d_p, 1, error);
-  asp_code code = path ? aspi_field_over_profile(field, path, 0, error) : error->code;
-  asp_profile_free(path);
+  asp_heights *path = aspi_profile_rolled(made, d_p, 1, error);
+  asp_code code = path ? aspi_field_create(field, path, 0, NULL, error) : error->code;
+  asp_heights_free(path);
   return code;
 }
 
 /* The fields of all sizes over the wall, or over a generated profile (0) or its negative (1). */
 static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error *error) {
-  asp_profile *made = NULL;
-  if (!of->map && !of->profile) {
+  asp_heights *made = NULL;
+  if (!of->heights) {
     double lambda_c = asp_surface_lambda_c(of->surface);
-    made = aspi_profile_create_scaled(asp_surface_r_q(of->surface), lambda_c, lambda_c / PER_LAMBDA,
-                                      POINTS, SEED, number ? -1 : 1, error);
+    made =
+        aspi_profile_generate_scaled(asp_surface_r_q(of->surface), lambda_c, lambda_c / PER_LAMBDA,
+                                     POINTS, SEED, number ? -1 : 1, error);
     if (!made)
       return error->code;
   }
   asp_code code = ASP_OK;
   for (int i = 0; i < t->sizes.bins && !code; i++)
     code = fill(&t->field[t->fields * i + number], of, made, aspi_sizes_at(&t->sizes, i), error);
-  asp_profile_free(made);
+  asp_heights_free(made);
   return code;
 }
 
 static void *prepare(const aspi_relief *of, const aspi_sizes *sizes, asp_error *error) {
-  bool is_map = of->map, generated = !is_map && !of->profile;
-  asp_map_numbers d = {0};
-  if (aspi_sizes_check(sizes, error) || (is_map && asp_map_describe(of->map, &d, error)))
+  bool generated = !of->heights, is_map = !generated && of->heights->rows > 1;
+  asp_heights_numbers d = {0};
+  if (aspi_sizes_check(sizes, error) || (is_map && asp_heights_describe(of->heights, &d, error)))
     return NULL;
   int number = generated ? 2 : 1, bins = sizes->bins;
   if (generated && asp_surface_kappa(of->surface, sizes->most) < KAPPA_NO_FILTER)

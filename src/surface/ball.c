@@ -12,7 +12,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/ball.h"
 #include "base/error.h"
-#include "surface/map.h"
+#include "surface/heights.h"
 
 #include <float.h>
 #include <math.h>
@@ -23,18 +23,60 @@ enum { STEPS = 4 };
 /* The refined point stays within this many steps of the sampled one. */
 #define STRAY_MOST 1.5
 
+/* Maxima over blocks of points, to find what is high without a look at each: level k has one for
+ * each block of 2^k x 2^k points, row after row; level 0 is the points themselves. */
+enum { LEVELS_MOST = 32 };
+typedef struct level {
+  ptrdiff_t columns, rows;
+  const double *most;
+} level;
+typedef struct pyramid {
+  int levels;
+  level level[LEVELS_MOST];
+  double *memory; /* of the levels above 0 */
+  double top;     /* the maximum of all points */
+} pyramid;
+
+static bool pyramid_create(pyramid *p, const asp_heights *map) {
+  size_t total = 0;
+  *p = (pyramid){.levels = 1};
+  level *at = p->level;
+  *at = (level){(ptrdiff_t)map->columns, (ptrdiff_t)map->rows, map->z};
+  for (; at->columns > 1 || at->rows > 1; p->levels++) {
+    at[1] = (level){(at->columns + 1) / 2, (at->rows + 1) / 2, NULL};
+    at++;
+    total += (size_t)(at->columns * at->rows);
+  }
+  double *next = p->memory = aspi_allocate(total + 1);
+  for (int k = 1; k < p->levels && next; k++) {
+    const level *below = &p->level[k - 1];
+    p->level[k].most = next;
+    for (ptrdiff_t j = 0; j < p->level[k].rows; j++) {
+      const double *one = below->most + 2 * j * below->columns;
+      const double *two = 2 * j + 1 < below->rows ? one + below->columns : one;
+      for (ptrdiff_t i = 0; i < p->level[k].columns; i++) {
+        ptrdiff_t a = 2 * i, b = a + 1 < below->columns ? a + 1 : a;
+        *next++ = fmax(fmax(one[a], one[b]), fmax(two[a], two[b]));
+      }
+    }
+  }
+  if (next)
+    p->top = *p->level[p->levels - 1].most;
+  return next;
+}
+
 struct aspi_ball {
-  const asp_map *map;
+  const asp_heights *map;
   double radius;
-  aspi_pyramid pyramid;
+  pyramid pyramid;
 };
 
-aspi_ball *aspi_ball_create(const asp_map *map, double d_p, asp_error *error) {
-  double side = fmin((double)map->columns * map->step[0], (double)map->rows * map->step[1]);
+aspi_ball *aspi_ball_create(const asp_heights *map, double d_p, asp_error *error) {
+  double side = aspi_heights_extent(map).length;
   if (aspi_check_range(error, "d_p", "", d_p, 0, side))
     return NULL;
   aspi_ball *ball = calloc(1, sizeof *ball);
-  if (!ball || !aspi_pyramid_create(&ball->pyramid, map->heights, map->columns, map->rows)) {
+  if (!ball || !pyramid_create(&ball->pyramid, map)) {
     free(ball);
     aspi_fail(error, ASP_ENOMEM, "out of memory for a sphere on a map of %zu x %zu points",
               map->columns, map->rows);
@@ -42,7 +84,6 @@ aspi_ball *aspi_ball_create(const asp_map *map, double d_p, asp_error *error) {
   }
   ball->map = map;
   ball->radius = 0.5 * d_p;
-  aspi_pyramid_fill(&ball->pyramid);
   return ball;
 }
 
@@ -75,7 +116,7 @@ static bool lifts(const search *s, double height, double square) {
 
 static void look(search *s, int k, ptrdiff_t i, ptrdiff_t j) {
   const aspi_ball *ball = s->ball;
-  const aspi_level *at = &ball->pyramid.level[k];
+  const level *at = &ball->pyramid.level[k];
   double dx = ball->map->step[0], dy = ball->map->step[1];
   double width = (double)((ptrdiff_t)1 << k);
   double u = dx * outside(s->x, (double)i * width, (double)(i + 1) * width - 1);
@@ -89,7 +130,7 @@ static void look(search *s, int k, ptrdiff_t i, ptrdiff_t j) {
     s->at[1] = j + s->image[1];
     return;
   }
-  const aspi_level *below = at - 1;
+  const level *below = at - 1;
   /* The nearer children first. */
   ptrdiff_t i0 = 2 * i, j0 = 2 * j, si = 0, sj = 0;
   if (s->x > ((double)i + 0.5) * width)
@@ -120,7 +161,7 @@ static void look_at_image(search *s, double reach_x, double reach_y) {
   while (k + 1 < ball->pyramid.levels && (double)((ptrdiff_t)1 << k) < fmax(reach_x, reach_y))
     k++;
   double width = (double)((ptrdiff_t)1 << k);
-  const aspi_level *at = &ball->pyramid.level[k];
+  const level *at = &ball->pyramid.level[k];
   ptrdiff_t columns = ball->pyramid.level[0].columns, rows = ball->pyramid.level[0].rows;
   if (s->x + reach_x < 0 || s->x - reach_x > (double)(columns - 1) || s->y + reach_y < 0 ||
       s->y - reach_y > (double)(rows - 1))
@@ -136,12 +177,12 @@ static void look_at_image(search *s, double reach_x, double reach_y) {
 
 /* Offers a point, in the coordinates of the map's first image. */
 static void offer(search *s, ptrdiff_t i, ptrdiff_t j) {
-  const asp_map *map = s->ball->map;
+  const asp_heights *map = s->ball->map;
   ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;
   if (!map->periodic && (i < 0 || i >= columns || j < 0 || j >= rows))
     return;
   double u = map->step[0] * ((double)i - s->x), v = map->step[1] * ((double)j - s->y);
-  double height = map->heights[wrapped(j, rows) * columns + wrapped(i, columns)];
+  double height = map->z[wrapped(j, rows) * columns + wrapped(i, columns)];
   if (!lifts(s, height, u * u + v * v))
     return;
   s->best = height + sqrt(s->ball->radius * s->ball->radius - u * u - v * v);
@@ -152,15 +193,15 @@ static void offer(search *s, ptrdiff_t i, ptrdiff_t j) {
 /* The contact point of a sphere over (x, y), in points. The search begins at `from`, relative to
  * the nearest point. */
 static search find(const aspi_ball *ball, double x, double y, const ptrdiff_t from[2]) {
-  const asp_map *map = ball->map;
+  const asp_heights *map = ball->map;
   search s = {ball, x, y, -INFINITY, {0}, {0}};
   ptrdiff_t i = (ptrdiff_t)(x + 0.5), j = (ptrdiff_t)(y + 0.5);
   offer(&s, i, j);
   if (s.best < -DBL_MAX) { /* no point is in reach: it rests between them */
     s.at[0] = i;
     s.at[1] = j;
-    s.best = map->heights[wrapped(j, (ptrdiff_t)map->rows) * (ptrdiff_t)map->columns +
-                          wrapped(i, (ptrdiff_t)map->columns)];
+    s.best = map->z[wrapped(j, (ptrdiff_t)map->rows) * (ptrdiff_t)map->columns +
+                    wrapped(i, (ptrdiff_t)map->columns)];
     return s;
   }
   offer(&s, i + from[0], j + from[1]);
@@ -187,7 +228,7 @@ typedef struct patch {
   double z, gx, gy, xx, xy, yy;
 } patch;
 
-static double height_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
+static double height_at(const asp_heights *map, ptrdiff_t i, ptrdiff_t j) {
   ptrdiff_t columns = (ptrdiff_t)map->columns, rows = (ptrdiff_t)map->rows;
   if (map->periodic) {
     i = wrapped(i, columns);
@@ -196,10 +237,10 @@ static double height_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
     i = i < 0 ? 0 : i < columns ? i : columns - 1;
     j = j < 0 ? 0 : j < rows ? j : rows - 1;
   }
-  return map->heights[j * columns + i];
+  return map->z[j * columns + i];
 }
 
-static patch patch_at(const asp_map *map, ptrdiff_t i, ptrdiff_t j) {
+static patch patch_at(const asp_heights *map, ptrdiff_t i, ptrdiff_t j) {
   double dx = map->step[0], dy = map->step[1], z = height_at(map, i, j);
   double e = height_at(map, i + 1, j), w = height_at(map, i - 1, j), n = height_at(map, i, j + 1),
          s = height_at(map, i, j - 1);
@@ -221,7 +262,7 @@ typedef struct surface {
   double z, gx, gy;
 } surface;
 
-static surface blend(const asp_map *map, double x, double y) {
+static surface blend(const asp_heights *map, double x, double y) {
   double dx = map->step[0], dy = map->step[1], column = floor(x), row = floor(y);
   ptrdiff_t i = (ptrdiff_t)column, j = (ptrdiff_t)row;
   surface sum = {0};
@@ -244,7 +285,7 @@ static surface blend(const asp_map *map, double x, double y) {
  * then with the gradient of the blended surface and the parabola's derivatives. (x, y): from the
  * point to the center. False where it does not end nearby. */
 static bool refine(const search *s, double x, double y, aspi_touch *touch) {
-  const asp_map *map = s->ball->map;
+  const asp_heights *map = s->ball->map;
   const patch f = patch_at(map, s->at[0], s->at[1]);
   double r = s->ball->radius, dx = map->step[0], dy = map->step[1], u = 0, v = 0, gx = 0, gy = 0;
   surface here = {0};
@@ -282,7 +323,7 @@ static bool refine(const search *s, double x, double y, aspi_touch *touch) {
 
 static aspi_touch touch_of(const search *s, bool sampled) {
   const aspi_ball *ball = s->ball;
-  const asp_map *map = ball->map;
+  const asp_heights *map = ball->map;
   double x = map->step[0] * (s->x - (double)s->at[0]), y = map->step[1] * (s->y - (double)s->at[1]);
   double up = sqrt(fmax(0, ball->radius * ball->radius - x * x - y * y));
   aspi_touch touch = {s->best, 0, 0};

@@ -15,7 +15,7 @@ typedef struct aspi_touch {
 typedef struct aspi_ball aspi_ball;
 
 /* A sphere of diameter d_p (0 <= d_p <= the shorter side) on a map, which must outlive it. */
-aspi_ball *aspi_ball_create(const asp_map *map, double d_p, asp_error *error);
+aspi_ball *aspi_ball_create(const asp_heights *map, double d_p, asp_error *error);
 void aspi_ball_free(aspi_ball *ball);
 
 /* The dilation of the map by the sphere: row after row from `first` to before `end`, into arrays of

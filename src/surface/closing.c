@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/closing.h"
 #include "base/error.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -122,8 +122,8 @@ static void roll(workspace *b, const double *z, double scale, double *out) {
   }
 }
 
-asp_code aspi_profile_check_disc(const asp_profile *profile, double d_p, asp_error *error) {
-  double length = (double)asp_profile_points(profile) * asp_profile_spacing(profile);
+asp_code aspi_profile_check_disc(const asp_heights *profile, double d_p, asp_error *error) {
+  double length = (double)profile->columns * profile->step[0];
   if (aspi_check_positive(error, "d_p", "", d_p))
     return ASP_EARG;
   if (d_p > length)
@@ -132,32 +132,31 @@ asp_code aspi_profile_check_disc(const asp_profile *profile, double d_p, asp_err
   return ASP_OK;
 }
 
-static asp_code filter(const asp_profile *profile, double d_p, bool close, double *out,
+static asp_code filter(const asp_heights *profile, double d_p, bool close, double *out,
                        asp_error *error) {
-  size_t points = asp_profile_points(profile);
-  double spacing = asp_profile_spacing(profile);
+  size_t points = profile->columns;
+  double spacing = profile->step[0];
   if (aspi_profile_check_disc(profile, d_p, error))
     return ASP_EARG;
   if (points > POINTS_MOST)
     return aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at most %zu", points,
                      POINTS_MOST);
   workspace b;
-  asp_code code =
-      workspace_create(&b, points, 0.5 * d_p / spacing, aspi_profile_periodic(profile), error);
+  asp_code code = workspace_create(&b, points, 0.5 * d_p / spacing, profile->periodic, error);
   if (code)
     return code;
-  roll(&b, asp_profile_heights(profile), 1 / spacing, out);
+  roll(&b, profile->z, 1 / spacing, out);
   if (close)
     roll(&b, out, -1 / spacing, out);
   workspace_free(&b);
   return ASP_OK;
 }
 
-asp_code aspi_profile_dilate(const asp_profile *profile, double d_p, double *out,
+asp_code aspi_profile_dilate(const asp_heights *profile, double d_p, double *out,
                              asp_error *error) {
   return filter(profile, d_p, false, out, error);
 }
 
-asp_code aspi_profile_close(const asp_profile *profile, double d_p, double *out, asp_error *error) {
+asp_code aspi_profile_close(const asp_heights *profile, double d_p, double *out, asp_error *error) {
   return filter(profile, d_p, true, out, error);
 }

@@ -1,15 +1,15 @@
-/* Numbers of a profile: heights, correlation length, slope. The autocorrelation is GSL's FFT of the
- * heights about their mean: circular if the profile is periodic, else padded with zeros (the sum of
- * n - k products over n, which damps lags with few products).
+/* Numbers of a profile or a map: heights, slopes, correlation lengths, lay. The autocorrelation
+ * comes from tiles padded with zeros (a large map costs no more memory than a tile; a profile is
+ * one tile). Each lag is divided by its number of products; of a measured profile by the number of
+ * points, which damps lags with few products. On a Gaussian wall with the autocovariance
+ * exp(-r' M r) its 1/e contour is an ellipse; M is fitted to the contour by least squares.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/describe.h"
 #include "base/error.h"
-#include "surface/profile.h"
+#include "base/least_squares.h"
 #include "base/tolerances.h"
 
-#include <gsl/gsl_fft_halfcomplex.h>
-#include <gsl/gsl_fft_real.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -18,113 +18,271 @@
 /* A correlation length of fewer spacings is that of noise: white noise has 0.63 by the 1/e lag. */
 #define SPACINGS_LEAST 1.5
 
-static void describe_heights(const asp_profile *profile, aspi_profile_description *d) {
-  const double *z = asp_profile_heights(profile);
-  double mean = gsl_stats_mean(z, 1, d->points), step = 0;
-  size_t steps = aspi_profile_periodic(profile) ? d->points : d->points - 1;
-  for (size_t i = 0; i < steps; i++) {
-    double rise = (z[(i + 1) % d->points] - z[i]) / d->spacing;
-    step += rise * rise;
+/* A larger phi_r is that of wrong units. */
+#define PHI_R_MOST 1.
+
+/* Levels of the autocorrelation that define correlation lengths. */
+#define LEVEL_1_E 0.36787944117144233
+#define LEVEL_S_AL 0.2 /* S_al of ISO 25178-2 */
+
+enum { TILE_MOST = 1024, DIRECTIONS = 180 };
+
+static void describe_heights(const asp_heights *h, asp_heights_numbers *d) {
+  const double *z = h->z;
+  size_t n = h->columns * h->rows;
+  double lo, hi;
+  d->mean = gsl_stats_mean(z, 1, n);
+  gsl_stats_minmax(&lo, &hi, z, 1, n);
+  d->s_q = sqrt(gsl_stats_variance_with_fixed_mean(z, 1, n, d->mean));
+  d->s_a = gsl_stats_absdev_m(z, 1, n, d->mean);
+  d->s_sk = gsl_stats_skew_m_sd(z, 1, n, d->mean, d->s_q);
+  d->s_ku = gsl_stats_kurtosis_m_sd(z, 1, n, d->mean, d->s_q) + 3; /* GSL's is the excess */
+  d->s_p = hi - d->mean;
+  d->s_v = d->mean - lo;
+  d->s_z = d->s_p + d->s_v;
+}
+
+/* The rms gradient, by differences of neighbors along both axes. */
+static double gradient_rms(const asp_heights *h) {
+  double sum = 0;
+  for (int axis = 0; axis < (h->rows > 1 ? 2 : 1); axis++) {
+    double square = 0, count = 0;
+    size_t columns = h->columns - (axis == 0 && !h->periodic),
+           rows = h->rows - (axis == 1 && !h->periodic);
+    for (size_t j = 0; j < rows; j++)
+      for (size_t i = 0; i < columns; i++) {
+        size_t next = axis ? (j + 1) % h->rows * h->columns + i
+                           : j * h->columns + (i + 1 < h->columns ? i + 1 : 0);
+        double rise = (h->z[next] - h->z[j * h->columns + i]) / h->step[axis];
+        square += rise * rise;
+        count++;
+      }
+    sum += square / count;
   }
-  d->r_q = sqrt(gsl_stats_variance_with_fixed_mean(z, 1, d->points, mean));
-  d->r_a = gsl_stats_absdev_m(z, 1, d->points, mean);
-  d->slope_rms = sqrt(step / (double)steps);
+  return sqrt(sum);
 }
 
-/* The power spectrum in place, in half-complex order, then its transform: the autocovariance. */
-static void correlate(double *data, size_t n) {
-  gsl_fft_real_radix2_transform(data, 1, n);
-  data[0] *= data[0];
-  data[n / 2] *= data[n / 2];
-  for (size_t i = 1; i < n / 2; i++) {
-    data[i] = data[i] * data[i] + data[n - i] * data[n - i];
-    data[n - i] = 0;
+void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
+                            double skewness[2]) {
+  double c = cos(lay), s = sin(lay), square[2] = {0}, cube[2] = {0};
+  for (size_t i = 0; i < n; i++) {
+    double slope[2] = {s * p[i] - c * q[i], c * p[i] + s * q[i]};
+    for (int axis = 0; axis < 2; axis++) {
+      square[axis] += slope[axis] * slope[axis] / (double)n;
+      cube[axis] += slope[axis] * slope[axis] * slope[axis] / (double)n;
+    }
   }
-  gsl_fft_halfcomplex_radix2_inverse(data, 1, n);
+  for (int axis = 0; axis < 2; axis++) {
+    rms[axis] = sqrt(square[axis]);
+    skewness[axis] = cube[axis] / (square[axis] * rms[axis]);
+  }
 }
 
-/* Autocovariances at lags 0 to n/2, in a buffer that the caller frees. The circular one of a
- * periodic profile at lag k is the linear one at k and at n - k together. */
-static double *autocovariance(const asp_profile *profile, double scale) {
-  size_t points = asp_profile_points(profile), n = aspi_power_of_two(2 * points);
-  const double *z = asp_profile_heights(profile);
-  double *data = aspi_allocate(n), mean = gsl_stats_mean(z, 1, points);
-  if (!data)
-    return NULL;
-  for (size_t i = 0; i < points; i++)
-    data[i] = (z[i] - mean) / scale;
-  memset(data + points, 0, (n - points) * sizeof *data);
-  correlate(data, n);
-  if (aspi_profile_periodic(profile))
-    for (size_t lag = 1; lag <= points / 2; lag++)
-      data[lag] += data[points - lag];
-  return data;
+/* The autocorrelation at lags up to half a tile either way, row after row, lag 0 in the middle. */
+typedef struct correlation {
+  size_t reach[2];
+  double *values;
+} correlation;
+
+/* Sums of products of one tile: its power spectrum, back. */
+static void correlate(double *data, size_t columns, size_t rows, double *room) {
+  aspi_fft2(data, columns, rows, false, room);
+  for (size_t i = 0; i < columns * rows; i++) {
+    data[2 * i] = data[2 * i] * data[2 * i] + data[2 * i + 1] * data[2 * i + 1];
+    data[2 * i + 1] = 0;
+  }
+  aspi_fft2(data, columns, rows, true, room);
 }
 
-/* The lag, in points, at which the autocorrelation first falls to the level; 0 when it does not
- * within half the profile. */
-static double crossing(const double *covariance, size_t lags, double level) {
-  for (size_t lag = 1; lag <= lags; lag++) {
-    double before = covariance[lag - 1] / covariance[0], here = covariance[lag] / covariance[0];
+static void load_tile(const asp_heights *h, const asp_heights_numbers *d, const size_t first[2],
+                      const size_t size[2], size_t columns, size_t rows, double *data) {
+  memset(data, 0, 2 * columns * rows * sizeof *data);
+  for (size_t j = 0; j < size[1]; j++)
+    for (size_t i = 0; i < size[0]; i++)
+      data[2 * (j * columns + i)] =
+          (h->z[(first[1] + j) * h->columns + first[0] + i] - d->mean) / d->s_q;
+}
+
+/* The sum of products at lag (u, v), of data padded with zeros; if the tile `wraps`, with those
+ * across its edges. */
+static double products(const double *data, const long padded[2], const long size[2], bool wraps,
+                       long u, long v) {
+  double sum = 0;
+  for (int b = 0; b <= (wraps && size[1] > 1); b++)
+    for (int a = 0; a <= wraps; a++) {
+      long x = u - a * (u > 0 ? size[0] : -size[0]), y = v - b * (v > 0 ? size[1] : -size[1]);
+      x += x < 0 ? padded[0] : 0;
+      y += y < 0 ? padded[1] : 0;
+      sum += data[2 * (y * padded[0] + x)];
+    }
+  return sum / ((double)padded[0] * (double)padded[1]);
+}
+
+/* evenly: each lag is divided by the number of points. */
+static void add_lags(correlation *c, const double *data, const long padded[2], const long size[2],
+                     bool wraps, bool evenly, double *weight) {
+  long rx = (long)c->reach[0], ry = (long)c->reach[1];
+  size_t at = 0;
+  for (long v = -ry; v <= ry; v++)
+    for (long u = -rx; u <= rx; u++, at++) {
+      c->values[at] += products(data, padded, size, wraps, u, v);
+      weight[at] +=
+          (double)(size[0] - (evenly ? 0 : labs(u))) * (double)(size[1] - (evenly ? 0 : labs(v)));
+    }
+}
+
+static asp_code autocorrelation(const asp_heights *h, const asp_heights_numbers *d, correlation *c,
+                                asp_error *error) {
+  bool is_map = h->rows > 1;
+  size_t size[2] = {is_map && h->columns > TILE_MOST ? TILE_MOST : h->columns,
+                    h->rows < TILE_MOST ? h->rows : TILE_MOST};
+  bool wraps = h->periodic && size[0] == h->columns && size[1] == h->rows;
+  size_t columns = aspi_power_of_two(2 * size[0]),
+         rows = is_map ? aspi_power_of_two(2 * size[1]) : 1;
+  *c = (correlation){{size[0] / 2, size[1] / 2}, NULL};
+  size_t lags = (2 * c->reach[0] + 1) * (2 * c->reach[1] + 1);
+  c->values = calloc(lags, sizeof *c->values);
+  double *weight = calloc(lags, sizeof *weight);
+  double *data = aspi_allocate(2 * columns * rows), *room = aspi_allocate(aspi_fft2_room(rows));
+  bool made = c->values && weight && data && room;
+  for (size_t j = 0; made && j + size[1] <= h->rows; j += size[1])
+    for (size_t i = 0; i + size[0] <= h->columns; i += size[0]) {
+      load_tile(h, d, (const size_t[2]){i, j}, size, columns, rows, data);
+      correlate(data, columns, rows, room);
+      add_lags(c, data, (const long[2]){(long)columns, (long)rows},
+               (const long[2]){(long)size[0], (long)size[1]}, wraps, wraps || !is_map, weight);
+    }
+  for (size_t i = 0; made && i < lags; i++)
+    c->values[i] /= weight[i];
+  free(weight);
+  free(data);
+  free(room);
+  if (made)
+    return ASP_OK;
+  free(c->values);
+  return aspi_fail(error, ASP_ENOMEM, "out of memory for the autocorrelation of a %s",
+                   aspi_kind_of_rows(h->rows));
+}
+
+/* Between the lags, bilinear; x and y in steps. */
+static double at_lag(const correlation *c, double x, double y) {
+  size_t width = 2 * c->reach[0] + 1, height = 2 * c->reach[1] + 1;
+  double u = x + (double)c->reach[0], v = y + (double)c->reach[1];
+  size_t i = (size_t)u, j = (size_t)v;
+  size_t right = i + 1 < width ? 1 : 0, up = j + 1 < height ? width : 0;
+  const double *z = c->values + j * width + i;
+  u -= (double)i;
+  v -= (double)j;
+  return (1 - v) * ((1 - u) * z[0] + u * z[right]) + v * ((1 - u) * z[up] + u * z[up + right]);
+}
+
+/* The distance at which the autocorrelation first falls to the level along a direction; 0 when it
+ * does not within the lags that there are. */
+static double contour(const asp_heights *h, const correlation *c, double angle, double level) {
+  double ex = cos(angle) / h->step[0], ey = sin(angle) / h->step[1];
+  double step = 1 / fmax(fabs(ex), fabs(ey)), before = 1;
+  double whole = at_lag(c, 0, 0);
+  for (size_t k = 1;; k++) {
+    double r = (double)k * step, x = r * ex, y = r * ey;
+    if (fabs(x) > (double)c->reach[0] || fabs(y) > (double)c->reach[1])
+      return 0;
+    double here = at_lag(c, x, y) / whole;
     if (here <= level)
-      return (double)lag - (level - here) / (before - here);
+      return r - step * (level - here) / (before - here);
+    before = here;
   }
-  return 0;
 }
 
-asp_code aspi_profile_describe(const asp_profile *profile, double level,
-                               aspi_profile_description *description, asp_error *error) {
-  if (!(level > 0 && level < 1))
-    return aspi_fail(error, ASP_EARG, "level of the autocorrelation is %g; it must be 0 to 1",
-                     level);
-  aspi_profile_description d = {.points = asp_profile_points(profile),
-                                .spacing = asp_profile_spacing(profile)};
-  d.length = (double)d.points * d.spacing;
-  if (d.points > ASP_FFT_MOST / 2)
-    return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", d.points,
-                     ASP_FFT_MOST / 2);
-  describe_heights(profile, &d);
-  if (!isfinite(d.r_q) || !isfinite(d.slope_rms))
-    return aspi_fail(error, ASP_EDATA, "the profile's heights are too large to work with");
-  if (!(d.r_q > ASPI_ROUNDING_DOUBLE * fabs(asp_profile_heights(profile)[0])))
-    return aspi_fail(error, ASP_EDATA, "the profile is constant");
-  double *covariance = autocovariance(profile, d.r_q);
-  if (!covariance)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", d.points);
-  d.lambda_c = crossing(covariance, d.points / 2, level) * d.spacing;
-  free(covariance);
-  if (!(d.lambda_c > 0))
+/* The symmetric M with r' M r = 1 nearest to the points, by least squares; false where they do not
+ * fix it. */
+static bool fit_ellipse(const double (*point)[2], size_t count, double m[3]) {
+  aspi_least_squares fit = {.terms = 3};
+  for (size_t i = 0; i < count; i++) {
+    double x = point[i][0], y = point[i][1];
+    aspi_least_squares_add(&fit, (const double[3]){x * x, 2 * x * y, y * y}, 1);
+  }
+  if (!aspi_least_squares_solve(&fit))
+    return false;
+  memcpy(m, fit.b, 3 * sizeof *m);
+  return m[0] > 0 && m[2] > 0 && m[0] * m[2] > m[1] * m[1];
+}
+
+static void describe_axes(const double m[3], asp_heights_numbers *d) {
+  double mean = 0.5 * (m[0] + m[2]), half = hypot(0.5 * (m[0] - m[2]), m[1]);
+  d->lambda_1 = 1 / sqrt(mean + half);
+  d->lambda_2 = 1 / sqrt(mean - half);
+  /* The eigenvector of the smaller eigenvalue. */
+  double angle = 0.5 * atan2(2 * m[1], m[0] - m[2]) + ASP_PI / 2;
+  d->lay = fmod(angle + 2 * ASP_PI, ASP_PI);
+}
+
+static asp_code describe_lengths(const asp_heights *h, asp_heights_numbers *d, asp_error *error) {
+  correlation c;
+  asp_code code = autocorrelation(h, d, &c, error);
+  if (code)
+    return code;
+  int directions = h->rows > 1 ? DIRECTIONS : 1;
+  double point[DIRECTIONS][2], m[3], most = 0;
+  size_t count = 0;
+  d->s_al = INFINITY;
+  bool long_enough = true;
+  for (int k = 0; k < directions; k++) {
+    double angle = ASP_PI * k / DIRECTIONS;
+    double r = contour(h, &c, angle, LEVEL_1_E), far = contour(h, &c, angle, LEVEL_S_AL);
+    if (r > 0) {
+      point[count][0] = r * cos(angle);
+      point[count++][1] = r * sin(angle);
+    }
+    if (far > 0) {
+      d->s_al = fmin(d->s_al, far);
+      most = fmax(most, far);
+    }
+    long_enough = long_enough && far > 0;
+  }
+  free(c.values);
+  d->s_tr = long_enough ? d->s_al / most : NAN;
+  if (directions == 1 && count == 1) {
+    d->lambda_1 = d->lambda_2 = point[0][0];
+    return ASP_OK;
+  }
+  if (count < 3 || !fit_ellipse((const double(*)[2])point, count, m))
     return aspi_fail(
         error, ASP_EDATA,
-        "the autocorrelation does not fall to %.3g within half the profile's length of "
-        "%g: the profile is too short, or form is left in it",
-        level, d.length);
-  d.lambda_1_e = d.lambda_c / sqrt(-log(level));
-  d.phi_r = d.r_q / d.lambda_c;
-  *description = d;
+        "the autocorrelation does not fall to 1/e within half the %s: it is too short, "
+        "or form is left in it",
+        aspi_kind_of_rows(h->rows));
+  describe_axes(m, d);
   return ASP_OK;
 }
 
-asp_code aspi_roughness_check(const char *which, double lambda, double step, const char *remedy,
-                              const char *ratio, double phi_r, double phi_r_most,
+asp_code asp_heights_describe(const asp_heights *h, asp_heights_numbers *numbers,
                               asp_error *error) {
-  if (lambda < SPACINGS_LEAST * step)
-    return aspi_fail(
-        error, ASP_EDATA,
-        "the %scorrelation length, %g, is less than %g spacings of the points: this is "
-        "noise, or sampled too coarsely%s",
-        which, lambda, SPACINGS_LEAST, remedy);
-  if (phi_r > phi_r_most)
+  const char *kind = aspi_kind_of_rows(h->rows);
+  asp_heights_numbers d = {0};
+  describe_heights(h, &d);
+  d.s_dq = gradient_rms(h);
+  if (!isfinite(d.s_q) || !isfinite(d.s_dq))
+    return aspi_fail(error, ASP_EDATA, "the heights of the %s are too large to work with", kind);
+  if (!(d.s_q > ASPI_ROUNDING_DOUBLE * fabs(h->z[0])))
+    return aspi_fail(error, ASP_EDATA, "the %s is constant", kind);
+  asp_code code = describe_lengths(h, &d, error);
+  *numbers = d;
+  return code;
+}
+
+asp_code aspi_heights_check(const asp_heights *h, const asp_heights_numbers *d, asp_error *error) {
+  bool is_map = h->rows > 1;
+  double phi_r = d->s_q / d->lambda_1;
+  if (d->lambda_1 < SPACINGS_LEAST * (is_map ? fmin(h->step[0], h->step[1]) : h->step[0]))
+    return aspi_fail(error, ASP_EDATA,
+                     "the %scorrelation length, %g, is less than %g spacings of the points: this "
+                     "is noise, or sampled too coarsely%s",
+                     is_map ? "shorter " : "", d->lambda_1, SPACINGS_LEAST,
+                     is_map ? "" : "; take short waves out (reader: lambda_s)");
+  if (phi_r > PHI_R_MOST)
     return aspi_fail(error, ASP_EDATA,
                      "phi_r = %s is %g; over %g is no roughness: are the units of positions and "
                      "heights right (reader: unit_x, unit_z)?",
-                     ratio, phi_r, phi_r_most);
+                     is_map ? "S_q/lambda_1" : "R_q/lambda_c", phi_r, PHI_R_MOST);
   return ASP_OK;
-}
-
-asp_code aspi_profile_check(const aspi_profile_description *d, double phi_r_most,
-                            asp_error *error) {
-  return aspi_roughness_check("", d->lambda_c, d->spacing,
-                              "; take short waves out (reader: lambda_s)", "R_q/lambda_c", d->phi_r,
-                              phi_r_most, error);
 }

@@ -10,7 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -128,15 +128,15 @@ static void roll_over_all(const curve *c) {
   }
 }
 
-asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, int parts,
+asp_heights *aspi_profile_rolled(const asp_heights *profile, double d_p, int parts,
                                  asp_error *error) {
-  size_t points = asp_profile_points(profile), fine = (size_t)parts;
-  bool periodic = aspi_profile_periodic(profile);
-  double step = asp_profile_spacing(profile) / parts;
-  curve c = {.z = asp_profile_heights(profile),
+  size_t points = profile->columns, fine = (size_t)parts;
+  bool periodic = profile->periodic;
+  double step = profile->step[0] / parts;
+  curve c = {.z = profile->z,
              .points = points,
              .n = periodic ? points : 2 * points - 2,
-             .spacing = asp_profile_spacing(profile),
+             .spacing = profile->step[0],
              .parts = parts,
              .radius = 0.5 * d_p / step};
   c.path = aspi_allocate(c.n * fine);
@@ -157,12 +157,12 @@ asp_profile *aspi_profile_rolled(const asp_profile *profile, double d_p, int par
  * faster; a disc narrower than a spacing follows the points, too. */
 #define ACROSS_MOST 512.0
 
-asp_profile *aspi_profile_path(const asp_profile *profile, double d_p, size_t most,
+asp_heights *aspi_profile_path(const asp_heights *profile, double d_p, size_t most,
                                asp_error *error) {
   if (aspi_profile_check_disc(profile, d_p, error))
     return NULL;
-  size_t points = asp_profile_points(profile);
-  double spacing = asp_profile_spacing(profile), across = d_p / spacing;
+  size_t points = profile->columns;
+  double spacing = profile->step[0], across = d_p / spacing;
   if (across >= 1 && across <= ACROSS_MOST) {
     double parts = fmin(ceil(ACROSS / across), (double)(most / points));
     return aspi_profile_rolled(profile, d_p, (int)fmax(1, parts), error);
@@ -172,5 +172,5 @@ asp_profile *aspi_profile_path(const asp_profile *profile, double d_p, size_t mo
     free(path);
     return NULL;
   }
-  return aspi_profile_adopt(path, points, spacing, aspi_profile_periodic(profile), error);
+  return aspi_profile_adopt(path, points, spacing, profile->periodic, error);
 }

@@ -5,7 +5,7 @@
 #include "surface/slopes.h"
 #include "base/error.h"
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -58,47 +58,47 @@ double aspi_kl_normal(const double *values, size_t count, double mean, double sd
 #define PATH_MOST ((size_t)1 << 21)
 
 /* The slopes of the path in the middle between the profile's points. */
-static asp_code rolled_slopes(const asp_profile *profile, double d_p, double *out,
+static asp_code rolled_slopes(const asp_heights *profile, double d_p, double *out,
                               asp_error *error) {
   asp_error wrong;
-  asp_profile *path = aspi_profile_path(profile, d_p, PATH_MOST, &wrong);
+  asp_heights *path = aspi_profile_path(profile, d_p, PATH_MOST, &wrong);
   if (!path)
     return aspi_fail(error, wrong.code, "%s", wrong.text);
-  size_t points = asp_profile_points(profile), fine = asp_profile_points(path);
-  size_t parts = (size_t)lround(asp_profile_spacing(profile) / asp_profile_spacing(path));
-  const double *z = asp_profile_heights(path);
+  size_t points = profile->columns, fine = path->columns;
+  size_t parts = (size_t)lround(profile->step[0] / path->step[0]);
+  const double *z = path->z;
   for (size_t i = 0; i < points; i++) {
     size_t at = i * parts + parts / 2;
-    out[i] = (z[(at + 1) % fine] - z[at % fine]) / asp_profile_spacing(path);
+    out[i] = (z[(at + 1) % fine] - z[at % fine]) / path->step[0];
   }
-  asp_profile_free(path);
+  asp_heights_free(path);
   return ASP_OK;
 }
 
-static asp_code point_slopes(const asp_profile *profile, double d_p, double *out,
+static asp_code point_slopes(const asp_heights *profile, double d_p, double *out,
                              asp_error *error) {
   asp_code code = aspi_profile_dilate(profile, d_p, out, error);
   if (code)
     return code;
-  size_t points = asp_profile_points(profile);
-  double first = out[0], spacing = asp_profile_spacing(profile);
+  size_t points = profile->columns;
+  double first = out[0], spacing = profile->step[0];
   for (size_t i = 0; i + 1 < points; i++)
     out[i] = (out[i + 1] - out[i]) / spacing;
   out[points - 1] = (first - out[points - 1]) / spacing;
   return ASP_OK;
 }
 
-asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
                              double *out, size_t *count, asp_error *error) {
-  size_t points = asp_profile_points(profile);
-  *count = aspi_profile_periodic(profile) ? points : points - 1;
+  size_t points = profile->columns;
+  *count = profile->periodic ? points : points - 1;
   return contact == ASP_CONTACT_ROLLED ? rolled_slopes(profile, d_p, out, error)
                                        : point_slopes(profile, d_p, out, error);
 }
 
-asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
                                       aspi_slopes *slopes, asp_error *error) {
-  size_t count = asp_profile_points(profile);
+  size_t count = profile->columns;
   double *values = aspi_allocate(count);
   if (!values)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", count);

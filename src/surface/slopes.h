@@ -33,7 +33,7 @@ typedef enum aspi_contact {
 
 /* Slopes that a disc meets between neighboring points, into `out`; *count is how many there are:
  * the number of points, one less on a profile that is not periodic. */
-asp_code aspi_profile_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
                              double *out, size_t *count, asp_error *error);
 
 /* The contact slopes of a profile for one particle size, in numbers. */
@@ -43,7 +43,7 @@ typedef struct aspi_slopes {
   double kl_normal;          /* D_KL of the normal distribution with the angles' mean and sd */
 } aspi_slopes;
 
-asp_code aspi_profile_describe_slopes(const asp_profile *profile, double d_p, aspi_contact contact,
+asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
                                       aspi_slopes *slopes, asp_error *error);
 
 #endif

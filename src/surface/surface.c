@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/monotone.h"
 #include "surface/describe.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 #include "surface/size_table.inc"
@@ -18,9 +18,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A measured wall with a larger phi_r has wrong units. */
-#define PHI_R_MOST 100.0
 
 /* Under this ratio of the two lengths a map has no lay to speak of. */
 #define STRETCH_LEAST 1.05
@@ -153,10 +150,10 @@ asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_a
   return surface;
 }
 
-static asp_code check_bins(const asp_profile *profile, double d_min, double d_max, int bins,
+static asp_code check_bins(const asp_heights *profile, double d_min, double d_max, int bins,
                            asp_error *error) {
-  double spacing = asp_profile_spacing(profile);
-  double length = (double)asp_profile_points(profile) * spacing;
+  double spacing = profile->step[0];
+  double length = (double)profile->columns * spacing;
   if (!(d_min >= spacing && d_min <= d_max && d_max <= length))
     return aspi_fail(error, ASP_EARG,
                      "particles of %g to %g on a profile of spacing %g and length %g; they must be "
@@ -167,7 +164,7 @@ static asp_code check_bins(const asp_profile *profile, double d_min, double d_ma
   return ASP_OK;
 }
 
-static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile, double d_min,
+static asp_code set_by_profile(asp_surface *surface, const asp_heights *profile, double d_min,
                                double d_max, asp_error *error) {
   bool one = surface->nodes == 1;
   set_range(surface, one ? sqrt(d_min * d_max) : d_min, d_max);
@@ -183,24 +180,23 @@ static asp_code set_by_profile(asp_surface *surface, const asp_profile *profile,
   return ASP_OK;
 }
 
-asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min, double d_max,
+asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min, double d_max,
                                         int bins, asp_error *error) {
-  aspi_profile_description d;
-  if (check_bins(profile, d_min, d_max, bins, error) ||
-      aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, error) ||
-      aspi_profile_check(&d, PHI_R_MOST, error))
+  asp_heights_numbers d;
+  if (check_bins(profile, d_min, d_max, bins, error) || asp_heights_describe(profile, &d, error) ||
+      aspi_heights_check(profile, &d, error))
     return NULL;
   if (d_min >= d_max)
     bins = 1;
   asp_surface *surface = allocate(bins, error);
   if (!surface)
     return NULL;
-  surface->r_q = d.r_q;
-  surface->feature = surface->lambda_c = surface->lambda_along = d.lambda_c;
-  surface->slope = d.slope_rms;
-  surface->curvature = sqrt(3) * d.phi_r / d.lambda_c;
+  surface->r_q = d.s_q;
+  surface->feature = surface->lambda_c = surface->lambda_along = d.lambda_1;
+  surface->slope = d.s_dq;
+  surface->curvature = sqrt(3) * d.s_q / (d.lambda_1 * d.lambda_1);
   surface->bins = bins;
-  surface->uncertainty = ASP_LENGTH_ERROR(d.length / d.lambda_c);
+  surface->uncertainty = ASP_LENGTH_ERROR((double)profile->columns * profile->step[0] / d.lambda_1);
   if (set_by_profile(surface, profile, d_min, d_max, error)) {
     free(surface);
     return NULL;
@@ -208,18 +204,13 @@ asp_surface *asp_surface_create_profile(const asp_profile *profile, double d_min
   return surface;
 }
 
-asp_surface *aspi_surface_create_map(const asp_map *map, const asp_map_numbers *d, bool lay,
+asp_surface *aspi_surface_create_map(const asp_heights *map, const asp_heights_numbers *d, bool lay,
                                      asp_error *error) {
-  if (aspi_map_check(map, d, PHI_R_MOST, error))
+  if (aspi_heights_check(map, d, error))
     return NULL;
   if (lay && d->lambda_2 > STRETCH_LEAST * d->lambda_1)
     return asp_surface_create_lay(d->s_q, d->lambda_1, d->lambda_2, error);
   return asp_surface_create(d->s_q, d->lambda_1, error);
-}
-
-asp_surface *asp_surface_create_map(const asp_map *map, bool lay, asp_error *error) {
-  asp_map_numbers d;
-  return asp_map_describe(map, &d, error) ? NULL : aspi_surface_create_map(map, &d, lay, error);
 }
 
 asp_surface *aspi_surface_copy(const asp_surface *surface) {

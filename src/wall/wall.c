@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/wall.h"
 #include "base/error.h"
+#include "surface/heights.h"
 #include "surface/size_law.h"
 
 #include <stdlib.h>
@@ -42,7 +43,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   *data = NULL;
   if (!choice->surface || !choice->spread->prepare)
     return ASP_OK;
-  const aspi_relief of = {choice->surface, choice->profile, choice->map};
+  const aspi_relief of = {choice->surface, choice->heights};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
   asp_error wrong = {ASP_OK, ""};
@@ -98,7 +99,7 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
     code = make_data(choice, &wall->data, error);
   wall->rough = is_rough(choice);
   wall->follow = wall->data ? spread->follow : NULL;
-  wall->draws_q = wall->data && choice->map;
+  wall->draws_q = wall->data && choice->heights && choice->heights->rows > 1;
   wall->isotropic = choice->isotropic || wall->draws_q;
   wall->multiple = choice->multiple || spread->escape || spread->follow;
   aspi_wall_take_law(wall, choice);

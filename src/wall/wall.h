@@ -13,8 +13,7 @@
 /* The parts of a wall; all of it stays the caller's. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
-  const asp_map *map;         /* goes before the profile */
-  const asp_profile *profile; /* NULL: one is generated where the model needs one */
+  const asp_heights *heights; /* NULL: a profile is generated where the model needs one */
   const asp_spread_model *spread;
   aspi_sizes sizes; /* of the particles, for models with tables; one bin where both are equal */
   bool isotropic, multiple;

@@ -7,6 +7,7 @@
 #include "bench.h"
 #include "peers.h"
 #include "spread/models.h"
+#include "surface/heights.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -171,16 +172,16 @@ static bench_work *add(room *r, void (*run)(void *, size_t), const sampler *s) {
  * correlation lengths follow it. */
 static void prepare(inputs *in, void *data[MODELS_MAX]) {
   aspi_sizes sizes = {0.05, 0.5, 16};
-  asp_profile *profile =
-      asp_profile_create(tan(in->sigma) / sqrt(2), 1, 1 / 128., 1 << 16, 1, NULL);
-  const aspi_relief of = {.profile = profile};
+  asp_heights *profile =
+      aspi_profile_generate(tan(in->sigma) / sqrt(2), 1, 1 / 128., 1 << 16, 1, NULL);
+  const aspi_relief of = {.heights = profile};
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
     data[i] = profile && model->prepare ? model->prepare(&of, &sizes, NULL) : NULL;
     if (model->prepare && !data[i])
       abort();
   }
-  asp_profile_free(profile);
+  asp_heights_free(profile);
 }
 
 static void release(void *data[MODELS_MAX]) {

@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_internal.h"
 #include "bench.h"
-#include "spread/line.h"
+#include "spread/flight.h"
 #include "spread/models.h"
 #include "surface/closing.h"
 
@@ -14,8 +14,8 @@
 enum { ROUNDS = 11, MILLION = 1000000, DIRECT_POINTS = 50000, REACH = 400 };
 
 /* Heights over points at a spacing of 1. */
-static asp_profile *wall_of(size_t points) {
-  asp_profile *profile = asp_profile_create(10, 100, 1, points, 1, NULL);
+static asp_heights *wall_of(size_t points) {
+  asp_heights *profile = aspi_profile_generate(10, 100, 1, points, 1, NULL);
   if (!profile)
     abort();
   return profile;
@@ -31,7 +31,7 @@ static double *room_for(size_t points) {
 /* ---- closing ---- */
 
 typedef struct closing {
-  const asp_profile *profile;
+  const asp_heights *profile;
   double d_p, *out;
 } closing;
 
@@ -43,8 +43,7 @@ static void closings(void *context, size_t n) {
 }
 
 static bench_work close_with(closing *c) {
-  return (bench_work){
-      .run = closings, .context = c, .each = (double)asp_profile_points(c->profile)};
+  return (bench_work){.run = closings, .context = c, .each = (double)c->profile->columns};
 }
 
 /* top(i) = max of z(i + k) + rise(|k|), as it is written. */
@@ -95,11 +94,11 @@ static bench_work close_directly(direct *d) {
 }
 
 static void compare_closings(void) {
-  asp_profile *million = wall_of(MILLION), *some = wall_of(MILLION / 10);
+  asp_heights *million = wall_of(MILLION), *some = wall_of(MILLION / 10);
   double *out = room_for(MILLION), *work = room_for(MILLION);
   closing c[] = {{million, 8, out}, {million, 80, out}, {million, 2 * REACH, out}, {some, 80, out}};
-  direct d[] = {{by_definition, asp_profile_heights(million), work, out, {0}},
-                {by_shifts, asp_profile_heights(million), work, out, {0}}};
+  direct d[] = {{by_definition, million->z, work, out, {0}},
+                {by_shifts, million->z, work, out, {0}}};
   bench_work w[] = {close_with(&c[0]), close_with(&c[1]),     close_with(&c[2]),
                     close_with(&c[3]), close_directly(&d[0]), close_directly(&d[1])};
   bench_run(w, 6, ROUNDS);
@@ -109,37 +108,38 @@ static void compare_closings(void) {
   bench_ratio_row("... in loops that the compiler makes vectors of", &w[5], &w[2], ">=", 1);
   free(out);
   free(work);
-  asp_profile_free(million);
-  asp_profile_free(some);
+  asp_heights_free(million);
+  asp_heights_free(some);
 }
 
 /* ---- first hit ---- */
 
 typedef struct first_hit {
-  aspi_line *line;
+  aspi_field *line;
   double alpha1, *weight;
 } first_hit;
 
 static void first_hits(void *context, size_t n) {
   first_hit *f = context;
   for (size_t i = 0; i < n; i++)
-    aspi_line_first_hits(f->line, aspi_line_fall(f->line, f->alpha1), f->weight);
+    aspi_field_first_hits(f->line, aspi_field_fall(f->line, f->alpha1), f->weight);
 }
 
 static void compare_first_hits(void) {
   enum { SMALL = 1 << 16, LARGE = 1 << 20, ANGLES = 3 };
   const double degrees[ANGLES] = {2, 20, 80};
-  asp_profile *profiles[] = {wall_of(SMALL), wall_of(LARGE)};
+  asp_heights *profiles[] = {wall_of(SMALL), wall_of(LARGE)};
   double *weight = room_for(LARGE);
-  aspi_line line[2];
+  aspi_field line[2];
   first_hit f[2][ANGLES];
   bench_work w[2][ANGLES];
   for (int i = 0; i < 2; i++) {
-    if (aspi_line_over_profile(&line[i], profiles[i], 80, NULL))
+    if (aspi_field_create(&line[i], profiles[i], 80, NULL, NULL))
       abort();
     for (int k = 0; k < ANGLES; k++) {
       f[i][k] = (first_hit){&line[i], degrees[k] * ASP_PI / 180, weight};
-      w[i][k] = (bench_work){.run = first_hits, .context = &f[i][k], .each = (double)line[i].n};
+      w[i][k] =
+          (bench_work){.run = first_hits, .context = &f[i][k], .each = (double)line[i].columns};
     }
   }
   bench_run(w[0], 2 * ANGLES, 5 * ROUNDS);
@@ -152,8 +152,8 @@ static void compare_first_hits(void) {
   bench_ratio_row("first-hit law of 2^20 points, 2 over 80 deg, a point", &w[1][0], &w[1][2],
                   "<=", 2);
   for (int i = 0; i < 2; i++) {
-    aspi_line_free(&line[i]);
-    asp_profile_free(profiles[i]);
+    aspi_field_free(&line[i]);
+    asp_heights_free(profiles[i]);
   }
   free(weight);
 }
@@ -173,14 +173,14 @@ static void set_ups(void *context, size_t n) {
 }
 
 static void time_set_up(void) {
-  asp_profile *profile = asp_profile_create(0.125, 1, 1 / 128., 1 << 17, 1, NULL);
+  asp_heights *profile = aspi_profile_generate(0.125, 1, 1 / 128., 1 << 17, 1, NULL);
   if (!profile)
     abort();
   bench_work work = {.run = set_ups, .context = profile, .each = 1};
   bench_run(&work, 1, 5);
   bench_row("set-up of `traced`: 16 sizes of 2^17 points, at best", bench_least(&work), "s",
             "<=", 2);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
 }
 
 int main(void) {

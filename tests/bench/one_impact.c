@@ -4,6 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/wall.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,10 +18,11 @@ int main(int argc, char **argv) {
   asp_error error;
   double r_q = atof(argv[2]) * 120e-6;
   asp_surface *surface = asp_surface_create(r_q, 120e-6, &error);
-  asp_profile *profile = asp_profile_create(r_q, 120e-6, 2e-6, 1 << 12, 1, surface ? &error : NULL);
+  asp_heights *profile =
+      aspi_profile_generate(r_q, 120e-6, 2e-6, 1 << 12, 1, surface ? &error : NULL);
   aspi_wall_choice choice = aspi_wall_choice_smooth();
   choice.surface = surface;
-  choice.profile = profile;
+  choice.heights = profile;
   choice.spread = profile ? asp_spread_find(argv[1], &error) : NULL;
   choice.isotropic = choice.multiple = argc > 4;
   choice.sizes = (aspi_sizes){10e-6, 10e-6, 1};
@@ -41,7 +43,7 @@ int main(int argc, char **argv) {
     sum += impact.v2[2];
   }
   asp_wall_free(wall);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
   asp_surface_free(surface);
   return sum > 0 ? 0 : 1;
 }

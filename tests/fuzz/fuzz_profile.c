@@ -22,19 +22,19 @@ static void fail(const char *what) {
   abort();
 }
 
-static void check_profile(const asp_profile *profile) {
-  size_t points = asp_profile_points(profile), count;
-  double spacing = asp_profile_spacing(profile);
+static void check_profile(const asp_heights *profile) {
+  size_t points = profile->columns, count;
+  double spacing = profile->step[0];
   if (points < 3 || !(spacing > 0) || !isfinite(spacing))
     fail("a profile without points or spacing");
   for (size_t i = 0; i < points; i++)
-    if (!isfinite(asp_profile_heights(profile)[i]))
+    if (!isfinite(profile->z[i]))
       fail("a height that is not a number");
   if (points > POINTS_MOST)
     return;
-  aspi_profile_description d;
+  asp_heights_numbers d;
   asp_error error;
-  aspi_profile_describe(profile, ASP_LEVEL_1_E, &d, &error);
+  asp_heights_describe(profile, &d, &error);
   double *slopes = malloc(points * sizeof *slopes);
   double d_p = spacing * (1 + 0.25 * (double)points);
   if (slopes && d_p <= spacing * (double)points &&
@@ -51,25 +51,25 @@ static void check_profile(const asp_profile *profile) {
 }
 
 /* Small ones are described: the autocorrelation of a large one is slow. */
-static void check_map(const asp_map *map) {
-  size_t points = asp_map_columns(map) * asp_map_rows(map);
-  if (points < 16 || !(asp_map_step_x(map) > 0 && asp_map_step_y(map) > 0))
+static void check_map(const asp_heights *map) {
+  size_t points = map->columns * map->rows;
+  if (points < 9 || !(map->step[0] > 0 && map->step[1] > 0))
     fail("a map without points or spacing");
   for (size_t i = 0; i < points; i++)
-    if (!isfinite(asp_map_heights(map)[i]))
+    if (!isfinite(map->z[i]))
       fail("a height that is not a number");
-  asp_map_numbers numbers;
+  asp_heights_numbers numbers;
   asp_error error = {ASP_OK, ""};
-  if (points <= 256 && asp_map_describe(map, &numbers, &error) && !*error.text)
+  if (points <= 256 && asp_heights_describe(map, &numbers, &error) && !*error.text)
     fail("a map that cannot be described");
 }
 
-static asp_map *read_map(FILE *stream, const aspi_profile_options *read, asp_error *error) {
+static asp_heights *read_map(FILE *stream, const aspi_profile_options *read, asp_error *error) {
   aspi_profile_report report = {0};
   aspi_profile_options options = *read;
   options.step[0] = read->column ? 1e-6 : 0;
   rewind(stream);
-  return aspi_map_read(stream, "fuzz", &options, &report, error);
+  return aspi_read(stream, "fuzz", true, &options, &report, error);
 }
 
 static aspi_profile_options options_of(uint8_t bits) {
@@ -99,19 +99,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   aspi_profile_options options = options_of(*data);
   aspi_profile_report report;
   asp_error error = {ASP_OK, ""};
-  asp_profile *profile = aspi_profile_read(stream, "fuzz", &options, &report, &error);
+  asp_heights *profile = aspi_read(stream, "fuzz", false, &options, &report, &error);
   if (profile)
     check_profile(profile);
   else if (error.code == ASP_OK || !*error.text)
     fail("neither a profile nor an error");
-  asp_profile_free(profile);
+  asp_heights_free(profile);
   error = (asp_error){ASP_OK, ""};
-  asp_map *map = read_map(stream, &options, &error);
+  asp_heights *map = read_map(stream, &options, &error);
   if (map)
     check_map(map);
   else if (error.code == ASP_OK || !*error.text)
     fail("neither a map nor an error");
-  asp_map_free(map);
+  asp_heights_free(map);
   fclose(stream);
   return 0;
 }

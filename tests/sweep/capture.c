@@ -53,7 +53,7 @@ static void shoot(const char *what, const asp_wall *wall, double d_p, double spe
 static asp_wall *measured(const gauss_wall *of, double d_p) {
   asp_error error;
   const double step[2] = {of->lambda_1 / 20, of->lambda_1 / 20};
-  asp_map *map = gauss_map_create(of, step, POINTS, POINTS, 1000, &error);
+  asp_heights *map = gauss_map_create(of, step, POINTS, POINTS, 1000, &error);
   must(map, &error);
   map->periodic = false;
   asp_description *words = asp_description_parse("surface map generated " LAW, NULL, &error);
@@ -61,7 +61,7 @@ static asp_wall *measured(const gauss_wall *of, double d_p) {
   asp_wall *wall = asp_wall_create(words, d_p, d_p, &error);
   must(wall, &error);
   asp_description_free(words);
-  asp_map_free(map);
+  asp_heights_free(map);
   return wall;
 }
 

@@ -13,6 +13,7 @@
 #define _GNU_SOURCE
 #include "wall/wall.h"
 #include "random.h"
+#include "surface/heights.h"
 
 #include <fenv.h>
 #include <math.h>
@@ -91,32 +92,32 @@ static void on_trap(int number) {
 }
 
 /* A Gaussian profile, or for slopes beyond the reach of one a zigzag of 16 points a period. */
-static asp_profile *profile_of(double slope) {
+static asp_heights *profile_of(double slope) {
   if (slope <= 1)
-    return asp_profile_create(slope / sqrt(2), 1, 1. / 32, 2048, 1, NULL);
+    return aspi_profile_generate(slope / sqrt(2), 1, 1. / 32, 2048, 1, NULL);
   double heights[64];
   for (int i = 0; i < 64; i++)
     heights[i] = slope * (i % 16 < 8 ? i % 8 : 8 - i % 8);
-  return asp_profile_from_heights(heights, 64, 1, true, NULL);
+  return asp_heights_create(heights, 64, 1, 1, 1, true, NULL);
 }
 
 /* The walls of one slope, of every model. */
 static bool make_walls_of(int i, double slope) {
   asp_error error;
-  asp_profile *profile = profile_of(slope);
+  asp_heights *profile = profile_of(slope);
   surfaces[i] = slope <= 1 ? asp_surface_create(slope / sqrt(2), 1, &error)
                            : asp_surface_create_profile(profile, 1, 1, 1, &error);
   bool made = surfaces[i];
   for (int k = 0; k < asp_spread_count() && made; k++) {
     aspi_wall_choice choice = aspi_wall_choice_smooth();
     choice.surface = surfaces[i];
-    choice.profile = profile;
+    choice.heights = profile;
     choice.spread = asp_spread_at(k);
     choice.sizes = (aspi_sizes){1, 1, 1};
     walls[k][i] = aspi_wall_create(&choice, &error);
     made = walls[k][i];
   }
-  asp_profile_free(profile);
+  asp_heights_free(profile);
   if (!made)
     fprintf(stderr, "slope %g: %s\n", slope, error.text);
   return made;

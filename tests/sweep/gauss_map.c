@@ -26,7 +26,7 @@ static double amplitude(const spectrum *s, double kx, double ky) {
   return exp(-(s->m[0] * kx * kx + 2 * s->m[1] * kx * ky + s->m[2] * ky * ky) / 8);
 }
 
-static spectrum spectrum_of(const gauss_wall *wall, const asp_map *map) {
+static spectrum spectrum_of(const gauss_wall *wall, const asp_heights *map) {
   double c = cos(wall->axis), s = sin(wall->axis);
   double a = wall->lambda_1 * wall->lambda_1, b = wall->lambda_2 * wall->lambda_2;
   return (spectrum){{c * c * a + s * s * b, c * s * (a - b), s * s * a + c * c * b},
@@ -35,7 +35,7 @@ static spectrum spectrum_of(const gauss_wall *wall, const asp_map *map) {
 }
 
 /* Fills `data`, complex, with the noise, filtered; the sum of the squares of the amplitudes. */
-static double fill_waves(const spectrum *s, const asp_map *map, uint32_t seed, double *data) {
+static double fill_waves(const spectrum *s, const asp_heights *map, uint32_t seed, double *data) {
   double sum = 0;
   for (size_t j = 0; j < map->rows; j++) {
     aspi_stream stream =
@@ -55,15 +55,15 @@ static double fill_waves(const spectrum *s, const asp_map *map, uint32_t seed, d
   return sum;
 }
 
-asp_map *gauss_map_create(const gauss_wall *wall, const double step[2], size_t columns, size_t rows,
-                          uint32_t seed, asp_error *error) {
-  asp_map shape = {columns, rows, {step[0], step[1]}, true, NULL};
+asp_heights *gauss_map_create(const gauss_wall *wall, const double step[2], size_t columns,
+                              size_t rows, uint32_t seed, asp_error *error) {
+  asp_heights shape = {columns, rows, {step[0], step[1]}, true, NULL};
   size_t n = columns * rows;
   double *data = malloc((2 * n + aspi_fft2_room(rows)) * sizeof *data);
-  shape.heights = aspi_map_room(columns, rows);
-  if (!data || !shape.heights) {
+  shape.z = aspi_allocate(columns * rows);
+  if (!data || !shape.z) {
     free(data);
-    free(shape.heights);
+    free(shape.z);
     aspi_fail(error, ASP_ENOMEM, "out of memory for a map of %zu x %zu points", columns, rows);
     return NULL;
   }
@@ -72,7 +72,7 @@ asp_map *gauss_map_create(const gauss_wall *wall, const double step[2], size_t c
   data[0] = 0;
   aspi_fft2(data, columns, rows, true, data + 2 * n);
   for (size_t i = 0; i < n; i++)
-    shape.heights[i] = (float)(scale * data[2 * i]);
+    shape.z[i] = scale * data[2 * i];
   free(data);
-  return aspi_map_adopt(shape.heights, columns, rows, step, true, error);
+  return aspi_heights_adopt(shape.z, columns, rows, step, true, error);
 }

@@ -4,7 +4,7 @@
 #ifndef ASP_SWEEP_GAUSS_MAP_H
 #define ASP_SWEEP_GAUSS_MAP_H
 
-#include "surface/map.h"
+#include "surface/heights.h"
 
 /* A Gaussian wall with a lay: autocovariance r_q^2 exp(-r' M r), where M has the eigenvalues
  * 1/lambda_1^2 and 1/lambda_2^2; `axis` is the angle from x to the first of its axes (rad). */
@@ -14,7 +14,7 @@ typedef struct gauss_wall {
 
 /* A periodic map of such a wall; both sides are powers of two. r_q is that of the ensemble. The
  * same seed gives the same map. NULL: out of memory. */
-asp_map *gauss_map_create(const gauss_wall *wall, const double step[2], size_t columns, size_t rows,
-                          uint32_t seed, asp_error *error);
+asp_heights *gauss_map_create(const gauss_wall *wall, const double step[2], size_t columns,
+                              size_t rows, uint32_t seed, asp_error *error);
 
 #endif

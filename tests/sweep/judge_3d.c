@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/stream.h"
 #include "spread/flight.h"
-#include "spread/line.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -63,60 +62,81 @@ static void draw_places(aspi_stream *stream, double *share, size_t count) {
     share[k] = ((double)k + aspi_stream_uniform(stream)) / (double)count;
 }
 
+asp_code line_create(line *made, size_t n, double step, asp_error *error) {
+  *made = (line){n, step, aspi_allocate(3 * n), NULL, NULL};
+  if (!made->slope)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a line of %zu points", n);
+  made->end_x = made->slope + n;
+  made->end_z = made->end_x + n;
+  return ASP_OK;
+}
+
+void line_free(line *made) {
+  free(made->slope);
+}
+
 /* The maximum of g over the period before the one that begins with face 0. */
-static double highest_before(const aspi_line *line, double fall) {
-  double highest = -INFINITY, period = line->step * (double)line->n;
-  for (size_t i = 0; i < line->n; i++) {
-    double g = line->end_z[i] + fall * (line->end_x[i] - period);
+static double highest_before(const line *over, double fall) {
+  double highest = -INFINITY, period = over->step * (double)over->n;
+  for (size_t i = 0; i < over->n; i++) {
+    double g = over->end_z[i] + fall * (over->end_x[i] - period);
     highest = g > highest ? g : highest;
   }
   return highest;
 }
 
-void line_over_row(aspi_line *line, const aspi_field *field, size_t row, int way) {
-  ptrdiff_t n = (ptrdiff_t)line->n;
-  double step = line->step, sign = way;
-  const float *z = field->z + 3 * (row * line->n + (way > 0 ? 0 : line->n - 1)), *p = z + 1;
+void line_first_hits(const line *over, double fall, double *weight) {
+  double highest = highest_before(over, fall), rise = fall * over->step * (double)over->n;
+  for (size_t i = 0; i < over->n; i++) {
+    double g = over->end_z[i] + fall * over->end_x[i];
+    weight[i] = g > highest ? (g - highest) / rise : 0;
+    highest = g > highest ? g : highest;
+  }
+}
+
+void line_over_row(line *over, const aspi_field *field, size_t row, int way) {
+  ptrdiff_t n = (ptrdiff_t)over->n;
+  double step = over->step, sign = way;
+  const float *z = field->z + 3 * (row * over->n + (way > 0 ? 0 : over->n - 1)), *p = z + 1;
   ptrdiff_t stride = 3 * way;
   for (ptrdiff_t i = 0; i < n; i++) {
     ptrdiff_t k = (i + 1 < n ? i + 1 : 0) * stride;
     double here = z[i * stride], next = z[k], a = sign * p[i * stride], b = sign * p[k];
-    double over = next - b * step - here, bend = a - b;
+    double off = next - b * step - here, bend = a - b;
     /* The crossing of the tangents where it lies between the points, else the middle. */
     double at = 0.5 * step, height = 0.5 * (here + next + 0.5 * step * bend);
-    if (over * bend > 0 && fabs(over) < fabs(bend) * step) {
-      at = over / bend;
+    if (off * bend > 0 && fabs(off) < fabs(bend) * step) {
+      at = off / bend;
       height = here + a * at;
     }
-    line->slope[i] = a;
-    line->end_x[i] = (double)i * step + at;
-    line->end_z[i] = height;
+    over->slope[i] = a;
+    over->end_x[i] = (double)i * step + at;
+    over->end_z[i] = height;
   }
 }
 
-void line_hits(const aspi_line *line, double fall, const double *share, size_t count,
-               line_spot *spots) {
-  double rise = fall * line->step * (double)line->n, first = highest_before(line, fall);
-  size_t k = 0, n = line->n;
+void line_hits(const line *over, double fall, const double *share, size_t count, line_spot *spots) {
+  double rise = fall * over->step * (double)over->n, first = highest_before(over, fall);
+  size_t k = 0, n = over->n;
   for (size_t i = 0; i < n && k < count; i++) {
-    double g = line->end_z[i] + fall * line->end_x[i];
+    double g = over->end_z[i] + fall * over->end_x[i];
     for (; k < count && first + share[k] * rise <= g; k++) {
       /* On the face, back from its end. */
-      double back = (g - first - share[k] * rise) / (line->slope[i] + fall);
-      spots[k] = (line_spot){i, line->end_x[i] - back, line->end_z[i] - line->slope[i] * back};
+      double back = (g - first - share[k] * rise) / (over->slope[i] + fall);
+      spots[k] = (line_spot){i, over->end_x[i] - back, over->end_z[i] - over->slope[i] * back};
     }
   }
   for (; k < count; k++)
-    spots[k] = (line_spot){n - 1, line->end_x[n - 1], line->end_z[n - 1]};
+    spots[k] = (line_spot){n - 1, over->end_x[n - 1], over->end_z[n - 1]};
 }
 
 /* All particles of one surface, along its rows. */
 static asp_code fly(const aspi_field *field, const surfaces *subject, int way,
                     const double *degrees, size_t count, uint32_t seed, aspi_angles *angles,
                     asp_error *error) {
-  aspi_line line;
+  line row_line;
   size_t lines = (size_t)field->rows, per_row = (subject->rays / 2 + lines - 1) / lines;
-  asp_code code = aspi_line_create(&line, (size_t)field->columns, field->step[0], error);
+  asp_code code = line_create(&row_line, (size_t)field->columns, field->step[0], error);
   if (code)
     return code;
   double *share = calloc(per_row, sizeof *share);
@@ -125,22 +145,22 @@ static asp_code fly(const aspi_field *field, const surfaces *subject, int way,
     code = aspi_fail(error, ASP_ENOMEM, "out of memory for %zu flights a row", per_row);
   for (size_t row = 0; row < lines && !code; row++) {
     aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = seed, .wall = 1, .tag = row});
-    line_over_row(&line, field, row, way);
+    line_over_row(&row_line, field, row, way);
     for (size_t i = 0; i < count; i++) {
       double alpha1 = aspi_radians(degrees[i]);
       draw_places(&stream, share, per_row);
-      line_hits(&line, tan(alpha1), share, per_row, spots);
+      line_hits(&row_line, tan(alpha1), share, per_row, spots);
       for (size_t k = 0; k < per_row; k++)
         fly_on(field, subject, row, &spots[k], way, alpha1, &angles[i]);
     }
   }
   free(share);
   free(spots);
-  aspi_line_free(&line);
+  line_free(&row_line);
   return code;
 }
 
-static asp_map *generated(const surfaces *subject, uint32_t seed, asp_error *error) {
+static asp_heights *generated(const surfaces *subject, uint32_t seed, asp_error *error) {
   const gauss_wall *wall = &subject->wall;
   double c = cos(wall->axis), s = sin(wall->axis), a = 1 / (wall->lambda_1 * wall->lambda_1),
          b = 1 / (wall->lambda_2 * wall->lambda_2);
@@ -153,13 +173,13 @@ static asp_map *generated(const surfaces *subject, uint32_t seed, asp_error *err
 
 static asp_code fly_both_ways(const surfaces *subject, uint32_t seed, const double *degrees,
                               size_t count, aspi_angles *angles, asp_error *error) {
-  asp_map *map = generated(subject, seed, error);
+  asp_heights *map = generated(subject, seed, error);
   if (!map)
     return error->code;
   aspi_field field = {0};
   const aspi_grid all = {1, {0, 0}, {map->columns, map->rows}};
-  asp_code code = aspi_field_over_map(&field, map, subject->d_p, &all, error);
-  asp_map_free(map);
+  asp_code code = aspi_field_create(&field, map, subject->d_p, &all, error);
+  asp_heights_free(map);
   if (!code)
     code = fly(&field, subject, 1, degrees, count, seed, angles, error);
   if (!code)

@@ -1,16 +1,16 @@
 /* Makes first_hits.csv: the law of the first hit of discs on Gaussian profiles, which depends on a
  * = tan(alpha1)/s_eff and kappa, and where slopes are not small on phi_r. An ensemble
  * of generated profiles, each with its negative and in both directions of flight; each face weighs
- * what it adds to the running maximum of the path (aspi_line_first_hits). Slopes are in units
+ * what it adds to the running maximum of the path (aspi_field_first_hits). Slopes are in units
  * of the size law's s_eff. To be run by `cmake --build build --target first_hits`, which writes the
  * file in its place; takes some half an hour; the result does not depend on the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_internal.h"
 #include "spread/ensemble.h"
-#include "spread/line.h"
+#include "spread/flight.h"
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 #include "surface/size_law.h"
 
 #include <gsl/gsl_cdf.h>
@@ -38,17 +38,17 @@ typedef struct counts {
   double share[ASP_ENSEMBLE_AS][CELLS], mean[ASP_ENSEMBLE_AS];
 } counts;
 
-static void add_flights(const aspi_line *line, double s_eff, counts *into) {
-  size_t faces = line->n;
+static void add_flights(const aspi_field *line, double s_eff, counts *into) {
+  size_t faces = (size_t)line->columns;
   double *weight = malloc(faces * sizeof *weight);
   if (!weight)
     fail("out of memory");
   for (int k = 0; k < ASP_ENSEMBLE_AS; k++) {
-    aspi_line_first_hits(line, aspi_line_fall(line, atan(aspi_ensemble_a(k) * s_eff)), weight);
+    aspi_field_first_hits(line, aspi_field_fall(line, atan(aspi_ensemble_a(k) * s_eff)), weight);
     for (size_t i = 0; i < faces; i++) {
       if (!(weight[i] > 0))
         continue;
-      double x = line->slope[i] / s_eff;
+      double x = aspi_field_slope(line, i) / s_eff;
       int cell = (int)((x + X_MOST) * (CELLS / (2 * X_MOST)));
       into->share[k][cell < 0 ? 0 : cell < CELLS ? cell : CELLS - 1] += weight[i] / 4;
       into->mean[k] += weight[i] * x / 4;
@@ -57,22 +57,22 @@ static void add_flights(const aspi_line *line, double s_eff, counts *into) {
   free(weight);
 }
 
-static void add_heights(const asp_profile *profile, double d_p, double s_eff, counts *into) {
+static void add_heights(const asp_heights *profile, double d_p, double s_eff, counts *into) {
   asp_error error;
-  asp_profile *path = aspi_profile_rolled(profile, d_p, 1, &error);
-  asp_profile *mirror = path ? aspi_profile_mirrored(path, &error) : NULL;
+  asp_heights *path = aspi_profile_rolled(profile, d_p, 1, &error);
+  asp_heights *mirror = path ? aspi_profile_mirrored(path, &error) : NULL;
   if (!mirror)
     fail(error.text);
-  const asp_profile *both[] = {path, mirror};
+  const asp_heights *both[] = {path, mirror};
   for (int i = 0; i < 2; i++) {
-    aspi_line line;
-    if (aspi_line_over_profile(&line, both[i], 0, &error))
+    aspi_field line;
+    if (aspi_field_create(&line, both[i], 0, NULL, &error))
       fail(error.text);
     add_flights(&line, s_eff, into);
-    aspi_line_free(&line);
+    aspi_field_free(&line);
   }
-  asp_profile_free(path);
-  asp_profile_free(mirror);
+  asp_heights_free(path);
+  asp_heights_free(mirror);
 }
 
 static void add_profile(double phi_r, double kappa, uint32_t seed, counts *into) {
@@ -83,12 +83,12 @@ static void add_profile(double phi_r, double kappa, uint32_t seed, counts *into)
   double d_p = kappa / (sqrt(3) * phi_r), s_eff = asp_surface_slope(surface, d_p);
   asp_surface_free(surface);
   for (int sign = -1; sign <= 1; sign += 2) {
-    asp_profile *profile = aspi_profile_create_scaled(phi_r, 1, 1. / PER_LAMBDA,
-                                                      LENGTH * PER_LAMBDA, seed, sign, &error);
+    asp_heights *profile = aspi_profile_generate_scaled(phi_r, 1, 1. / PER_LAMBDA,
+                                                        LENGTH * PER_LAMBDA, seed, sign, &error);
     if (!profile)
       fail(error.text);
     add_heights(profile, d_p, s_eff, into);
-    asp_profile_free(profile);
+    asp_heights_free(profile);
   }
 }
 

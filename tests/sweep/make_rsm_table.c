@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "asperity_internal.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -88,7 +89,7 @@ int main(void) {
   double sum[ROWS] = {0}, count[ROWS] = {0};
   for (uint32_t k = 0; k < PROFILES; k++) {
     asp_error error;
-    asp_profile *profile = asp_profile_create(1, 1, 1. / PER_LAMBDA, POINTS, k + 1, &error);
+    asp_heights *profile = aspi_profile_generate(1, 1, 1. / PER_LAMBDA, POINTS, k + 1, &error);
     if (!profile) {
       fprintf(stderr, "make_rsm_table: %s\n", error.text);
       return 1;
@@ -96,9 +97,9 @@ int main(void) {
     for (int row = 0; row < ROWS; row++) {
       size_t per_length = (size_t)lround(FIRST * pow(2, 0.5 * row) * PER_LAMBDA);
       for (size_t at = 0; at + LENGTHS * per_length <= POINTS; at += LENGTHS * per_length)
-        evaluate(asp_profile_heights(profile) + at, per_length, &sum[row], &count[row]);
+        evaluate(profile->z + at, per_length, &sum[row], &count[row]);
     }
-    asp_profile_free(profile);
+    asp_heights_free(profile);
   }
   printf(
       "/* R_Sm/lambda_c of Gaussian profiles, for sampling lengths from %g lambda_c in half\n"

@@ -7,6 +7,7 @@
 #include "asperity_internal.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,7 +33,7 @@ static void fail(const char *text) {
 /* Adds the squares of the filtered slopes, and of the unfiltered one, of one profile. */
 static void add_profile(double phi_r, uint32_t seed, double sums[COLUMNS + 1]) {
   asp_error error;
-  asp_profile *profile = asp_profile_create(phi_r, 1, 1. / PER_LAMBDA, POINTS, seed, &error);
+  asp_heights *profile = aspi_profile_generate(phi_r, 1, 1. / PER_LAMBDA, POINTS, seed, &error);
   double *slopes = malloc(POINTS * sizeof *slopes);
   if (!profile || !slopes)
     fail(profile ? "out of memory" : error.text);
@@ -46,7 +47,7 @@ static void add_profile(double phi_r, uint32_t seed, double sums[COLUMNS + 1]) {
     sums[i] += m.mean * m.mean + m.sd * m.sd;
   }
   free(slopes);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
 }
 
 static void print_table(double table[ROWS][COLUMNS]) {

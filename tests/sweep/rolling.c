@@ -13,7 +13,7 @@
 #include "base/running.h"
 #include "asperity_internal.h"
 #include "surface/ball.h"
-#include "surface/map.h"
+#include "surface/heights.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,28 +40,27 @@ static void must(bool good, const asp_error *error) {
 }
 
 /* A profile is a map whose rows are alike and so far apart that the sphere touches only one. */
-static asp_map *extruded(const asp_profile *profile, double apart, asp_error *error) {
-  size_t n = asp_profile_points(profile);
-  float *z = aspi_map_room(n, ASP_MAP_SIDE_LEAST);
-  for (size_t i = 0; z && i < n * ASP_MAP_SIDE_LEAST; i++)
-    z[i] = (float)asp_profile_heights(profile)[i % n];
-  return aspi_map_adopt(z, n, ASP_MAP_SIDE_LEAST, (double[]){asp_profile_spacing(profile), apart},
-                        true, error);
+static asp_heights *extruded(const asp_heights *profile, double apart, asp_error *error) {
+  size_t n = profile->columns;
+  double *z = aspi_allocate(n * ASP_SIDE_LEAST);
+  for (size_t i = 0; z && i < n * ASP_SIDE_LEAST; i++)
+    z[i] = profile->z[i % n];
+  return aspi_heights_adopt(z, n, ASP_SIDE_LEAST, (double[]){profile->step[0], apart}, true, error);
 }
 
-static asp_map *wall_of(const row *r, uint32_t seed) {
+static asp_heights *wall_of(const row *r, uint32_t seed) {
   asp_error error = {ASP_OK, ""};
   double r_q = r->slope_rms / sqrt(2), step = 1. / RESOLUTION;
-  asp_map *map;
+  asp_heights *map;
   if (r->dimensions == 3)
     map = gauss_map_create(&(gauss_wall){r_q, 1, 1, 0}, (double[]){step, step},
                            RESOLUTION * MAP_LENGTH, RESOLUTION * MAP_LENGTH, seed, &error);
   else {
-    asp_profile *profile =
-        asp_profile_create(r_q, 1, step, RESOLUTION * PROFILE_LENGTH, seed, &error);
+    asp_heights *profile =
+        aspi_profile_generate(r_q, 1, step, RESOLUTION * PROFILE_LENGTH, seed, &error);
     must(profile, &error);
     map = extruded(profile, r->d_p, &error);
-    asp_profile_free(profile);
+    asp_heights_free(profile);
   }
   must(map, &error);
   return map;
@@ -79,12 +78,12 @@ static double wrapped(double x, double length) {
   return x < length ? x : 0;
 }
 
-static aspi_touch touch(sphere *s, const asp_map *map) {
+static aspi_touch touch(sphere *s, const asp_heights *map) {
   return aspi_ball_at(&s->way, wrapped(s->x[0], (double)map->columns * map->step[0]),
                       wrapped(s->x[1], (double)map->rows * map->step[1]));
 }
 
-static void step(sphere *s, const asp_map *map) {
+static void step(sphere *s, const asp_heights *map) {
   double speed = sqrt(s->v[0] * s->v[0] + s->v[1] * s->v[1] + s->v[2] * s->v[2]);
   double dt = fmin(STEP_TIME, STEP_LENGTH / speed);
   for (int d = 0; d < 3; d++) {
@@ -107,7 +106,7 @@ static void step(sphere *s, const asp_map *map) {
 
 /* Mean speed along the slope in the last half of the motion; NAN: it stopped. */
 static double roll(const row *r, const asp_wall *law, uint32_t seed) {
-  asp_map *map = wall_of(r, seed);
+  asp_heights *map = wall_of(r, seed);
   asp_error error = {ASP_OK, ""};
   aspi_ball *ball = aspi_ball_create(map, r->d_p, &error);
   must(ball, &error);
@@ -132,7 +131,7 @@ static double roll(const row *r, const asp_wall *law, uint32_t seed) {
     next += STOP_TIME;
   }
   aspi_ball_free(ball);
-  asp_map_free(map);
+  asp_heights_free(map);
   return moves ? (s.x[0] - x_half) / (s.time - half) : NAN;
 }
 

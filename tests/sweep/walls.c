@@ -33,7 +33,7 @@ static double uniform(uint32_t *state) {
   return (*state >> 8) / 16777216.;
 }
 
-static void add_cap(asp_map *m, double x, double y, double r, const caps *c) {
+static void add_cap(asp_heights *m, double x, double y, double r, const caps *c) {
   long columns = (long)m->columns, rows = (long)m->rows;
   long last_row = (long)floor((y + 1.6 * r) / m->step[1]);
   long last_column = (long)floor((x + 1.6 * r) / m->step[0]);
@@ -41,12 +41,12 @@ static void add_cap(asp_map *m, double x, double y, double r, const caps *c) {
     for (long i = (long)floor((x - 1.6 * r) / m->step[0]); i <= last_column; i++) {
       double d = hypot((double)i * m->step[0] - x, (double)j * m->step[1] - y) / r;
       double body = d < 1 ? pow(1 - d * d, 1.5) : 0, edge = exp(-20 * (d - 1.15) * (d - 1.15));
-      m->heights[(j + rows) % rows * columns + (i + columns) % columns] +=
-          (float)(0.35 * r * (c->sign * body + c->rim * edge));
+      m->z[(j + rows) % rows * columns + (i + columns) % columns] +=
+          (0.35 * r * (c->sign * body + c->rim * edge));
     }
 }
 
-static void add_caps(asp_map *m, const caps *c, uint32_t seed) {
+static void add_caps(asp_heights *m, const caps *c, uint32_t seed) {
   double width = (double)m->columns * m->step[0], height = (double)m->rows * m->step[1];
   uint32_t state = seed * 77777u + 5;
   for (int k = 0; k < width * height / (c->apart * c->apart); k++) {
@@ -68,45 +68,44 @@ static void fail(const asp_error *error) {
   exit(2);
 }
 
-static asp_map *make_wall(const surfaces *subject, const double step[2], size_t points,
-                          uint32_t seed) {
+static asp_heights *make_wall(const surfaces *subject, const double step[2], size_t points,
+                              uint32_t seed) {
   (void)subject;
   asp_error error;
   gauss_wall gauss = {kind == GAUSS || kind == PLATEAU ? 5 : 3, lambda_c[kind], lambda_c[kind], 0};
-  asp_map *m = gauss_map_create(&gauss, step, points, points, seed, &error);
+  asp_heights *m = gauss_map_create(&gauss, step, points, points, seed, &error);
   if (!m)
     fail(&error);
   size_t n = points * points;
   if (kind == PLATEAU)
     for (size_t i = 0; i < n; i++)
-      m->heights[i] = (float)plateau(m->heights[i]);
+      m->z[i] = plateau(m->z[i]);
   if (kind == DEPOSITS)
     add_caps(m, &(caps){62, 10, 26, 1, 0}, seed);
   if (kind == DENTED)
     add_caps(m, &(caps){55, 12, 26, -1, 0.5}, seed);
   double mean = 0, square = 0, cube = 0;
   for (size_t i = 0; i < n; i++)
-    mean += m->heights[i] / (double)n;
+    mean += m->z[i] / (double)n;
   for (size_t i = 0; i < n; i++) {
-    double z = m->heights[i] - mean;
+    double z = m->z[i] - mean;
     square += z * z / (double)n;
     cube += z * z * z / (double)n;
   }
   skewness = cube / pow(square, 1.5);
   for (size_t i = 0; i < n; i++)
-    m->heights[i] = (float)((m->heights[i] - mean) * R_Q / sqrt(square));
+    m->z[i] = ((m->z[i] - mean) * R_Q / sqrt(square));
   return m;
 }
 
 /* A wall of particles of one size; profile and map may be NULL. */
-static asp_wall *wall_of(const asp_surface *surface, const asp_profile *profile, const asp_map *map,
-                         const char *model, double d_p) {
+static asp_wall *wall_of(const asp_surface *surface, const asp_heights *profile,
+                         const asp_heights *map, const char *model, double d_p) {
   asp_error error;
   aspi_wall_choice choice = aspi_wall_choice_smooth();
   aspi_wall_choose_law(&choice, asp_rebound_find("constant", NULL));
   choice.surface = surface;
-  choice.profile = profile;
-  choice.map = map;
+  choice.heights = map ? map : profile;
   choice.spread = asp_spread_find(model, NULL);
   choice.sizes = (aspi_sizes){d_p, d_p, 1};
   choice.multiple = true;
@@ -168,9 +167,9 @@ static void judge_map(size_t points, size_t count, double d_p) {
   if (judge_in_space(&all, &subject, angles, 3, &error))
     fail(&error);
   const double step[2] = {39 / 20., 39 / 20.};
-  asp_map *periodic = make_wall(&subject, step, points, 7);
-  asp_map *map = asp_map_from_heights(asp_map_heights(periodic), points, points, step[0], step[1],
-                                      false, &error);
+  asp_heights *periodic = make_wall(&subject, step, points, 7);
+  asp_heights *map =
+      asp_heights_create(periodic->z, points, points, step[0], step[1], false, &error);
   asp_surface *surface = asp_surface_create(R_Q, 39, &error);
   asp_wall *wall = wall_of(surface, NULL, map, "traced", d_p);
   for (size_t i = 0; i < 3; i++) {
@@ -179,44 +178,44 @@ static void judge_map(size_t points, size_t count, double d_p) {
   }
   asp_wall_free(wall);
   asp_surface_free(surface);
-  asp_map_free(map);
-  asp_map_free(periodic);
+  asp_heights_free(map);
+  asp_heights_free(periodic);
   aspi_judge_free(&all);
 }
 
 /* A long profile of a wall whose heights come from Gaussian ones point by point. */
-static asp_profile *profile_of(size_t points, uint32_t seed) {
+static asp_heights *profile_of(size_t points, uint32_t seed) {
   double spacing = 39 / 20., square = 0, mean = 0;
   size_t n = 80 * points;
-  asp_profile *gauss = asp_profile_create(5, lambda_c[kind], spacing, n, seed, NULL);
+  asp_heights *gauss = aspi_profile_generate(5, lambda_c[kind], spacing, n, seed, NULL);
   double *z = malloc(n * sizeof *z);
   for (size_t i = 0; i < n; i++) {
-    z[i] = kind == PLATEAU ? plateau(asp_profile_heights(gauss)[i]) : asp_profile_heights(gauss)[i];
+    z[i] = kind == PLATEAU ? plateau(gauss->z[i]) : gauss->z[i];
     mean += z[i] / (double)n;
   }
   for (size_t i = 0; i < n; i++)
     square += (z[i] - mean) * (z[i] - mean) / (double)n;
   for (size_t i = 0; i < n; i++)
     z[i] = (z[i] - mean) * R_Q / sqrt(square);
-  asp_profile *profile = asp_profile_from_heights(z, n, spacing, false, NULL);
+  asp_heights *profile = asp_heights_create(z, n, 1, spacing, spacing, false, NULL);
   free(z);
-  asp_profile_free(gauss);
+  asp_heights_free(gauss);
   return profile;
 }
 
 /* Flights over a profile against those over independent profiles, each a realization of its own. */
 static void judge_profile(size_t points, size_t count, double d_p) {
   aspi_judge all = {count, 3, calloc(3 * count, sizeof(aspi_angles)), NULL};
-  asp_profile *own = profile_of(points, 7);
+  asp_heights *own = profile_of(points, 7);
   asp_surface *surface = asp_surface_create_profile(own, d_p, d_p, 1, NULL);
   asp_wall *wall = wall_of(surface, own, NULL, "traced", d_p);
   for (size_t k = 0; k < count; k++) {
-    asp_profile *other = profile_of(points, 500 + (uint32_t)k);
+    asp_heights *other = profile_of(points, 500 + (uint32_t)k);
     asp_wall *judge = wall_of(surface, other, NULL, "traced", d_p);
     for (size_t i = 0; i < 3; i++)
       all.angles[3 * k + i] = fly(judge, d_p, angles[i], RAYS);
     asp_wall_free(judge);
-    asp_profile_free(other);
+    asp_heights_free(other);
   }
   for (size_t i = 0; i < 3; i++) {
     aspi_angles m = fly(wall, d_p, angles[i], FLOWN);
@@ -224,7 +223,7 @@ static void judge_profile(size_t points, size_t count, double d_p) {
   }
   asp_wall_free(wall);
   asp_surface_free(surface);
-  asp_profile_free(own);
+  asp_heights_free(own);
   aspi_judge_free(&all);
 }
 

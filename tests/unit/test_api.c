@@ -87,29 +87,22 @@ static void profiles_and_maps(void **state) {
   (void)state;
   asp_error error;
   static const double bad[4] = {0, NAN, 1, 2}, flat[4] = {1, 1, 1, 1};
-  static const float level[16] = {0};
-  failed(!asp_profile_from_heights(NULL, 10, 1, true, &error), &error);
-  failed(!asp_profile_from_heights(bad, 4, 1, true, &error), &error);
+  static const double level[16] = {0};
+  failed(!asp_heights_create(NULL, 10, 1, 1, 1, true, &error), &error);
+  failed(!asp_heights_create(bad, 4, 1, 1, 1, true, &error), &error);
   for (int i = 0; i < ODD; i++) {
-    asp_profile_free(asp_profile_from_heights(flat, 4, odd[i], false, &error));
-    asp_profile_free(asp_profile_create(odd[i], 1, 0.1, 400, 1, &error));
-    asp_profile_free(asp_profile_create(1e-6, odd[i], 1e-6, 100, 1, &error));
-    asp_map_free(asp_map_from_heights(level, 4, 4, odd[i], odd[ODD - 1 - i], true, &error));
+    asp_heights_free(asp_heights_create(flat, 4, 1, odd[i], odd[i], false, &error));
+    asp_heights_free(asp_heights_create(level, 4, 4, odd[i], odd[ODD - 1 - i], true, &error));
   }
-  failed(!asp_map_from_heights(NULL, 4, 4, 1, 1, true, &error), &error);
-  failed(!asp_map_from_heights(level, 1, 0, 1, 1, true, &error), &error);
-  asp_profile *profile = asp_profile_from_heights(flat, 4, 1, false, &error);
-  assert_true(asp_profile_points(profile) == 4 && asp_profile_spacing(profile) > 0 &&
-              asp_profile_heights(profile));
-  asp_profile_free(profile);
-  asp_map *map = asp_map_from_heights(level, 4, 4, 1, 1, true, &error);
-  assert_true(asp_map_columns(map) == 4 && asp_map_rows(map) == 4 && asp_map_heights(map));
-  assert_true(asp_map_step_x(map) > 0 && asp_map_step_y(map) > 0);
-  asp_map_numbers numbers;
-  failed(asp_map_describe(map, &numbers, &error), &error);
-  asp_map_free(map);
-  asp_profile_free(NULL);
-  asp_map_free(NULL);
+  failed(!asp_heights_create(NULL, 4, 4, 1, 1, true, &error), &error);
+  failed(!asp_heights_create(level, 1, 0, 1, 1, true, &error), &error);
+  asp_heights *profile = asp_heights_create(flat, 4, 1, 1, 1, false, &error);
+  asp_heights_free(profile);
+  asp_heights *map = asp_heights_create(level, 4, 4, 1, 1, true, &error);
+  asp_heights_numbers numbers;
+  failed(asp_heights_describe(map, &numbers, &error), &error);
+  asp_heights_free(map);
+  asp_heights_free(NULL);
 }
 
 static void readers(void **state) {
@@ -121,8 +114,8 @@ static void readers(void **state) {
   for (int i = 0; i < NAMES; i++) {
     for (int k = 0; k < ODD; k++)
       failed(asp_reader_set(reader, names[i], odd[k], &error), &error);
-    failed(!asp_reader_read(reader, names[i], &error), &error);
-    failed(!asp_reader_read_map(reader, names[i], &error), &error);
+    for (int is_map = 0; is_map < 2; is_map++)
+      failed(!asp_reader_read(reader, names[i], is_map, &error), &error);
     assert_non_null(asp_reader_text(reader));
     asp_reader_check(reader, &error);
   }
@@ -174,7 +167,8 @@ static void walk_wall(const asp_wall *wall) {
 }
 
 /* A description as it is, then with its numbers set, then with heights of the caller's. */
-static void walk_description(asp_description *d, const asp_profile *profile, const asp_map *map) {
+static void walk_description(asp_description *d, const asp_heights *profile,
+                             const asp_heights *map) {
   asp_error error;
   char text[40];
   for (int step = 0; step < 3; step++) {
@@ -202,8 +196,8 @@ static void walk_description(asp_description *d, const asp_profile *profile, con
       asp_wall_free(wall);
     }
     if (step == 1) {
-      failed(asp_description_set_profile(d, profile, &error), &error);
-      failed(asp_description_set_map(d, map, &error), &error);
+      failed(asp_description_set_heights(d, profile, &error), &error);
+      failed(asp_description_set_heights(d, map, &error), &error);
     }
   }
 }
@@ -225,11 +219,11 @@ static void descriptions_and_walls(void **state) {
   const asp_units unknown = {NULL, 0, 0, 0};
   asp_error error;
   enum { SIDE = 64 };
-  static float heights[SIDE * SIDE];
+  static double heights[SIDE * SIDE];
   for (int i = 0; i < SIDE * SIDE; i++)
-    heights[i] = 1e-6F * sinf(0.5F * (float)(i % SIDE)) * cosf(0.4F * (float)i / SIDE);
-  asp_map *map = asp_map_from_heights(heights, SIDE, SIDE, 1e-6, 1e-6, false, &error);
-  asp_profile *profile = asp_profile_create(1e-6, 20e-6, 1e-6, 512, 1, &error);
+    heights[i] = 1e-6 * sin(0.5 * (i % SIDE)) * cos(0.4 * i / SIDE);
+  asp_heights *map = asp_heights_create(heights, SIDE, SIDE, 1e-6, 1e-6, false, &error);
+  asp_heights *profile = asp_heights_create(heights, SIDE * SIDE, 1, 1e-6, 1e-6, false, &error);
   assert_true(map && profile);
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     for (int k = 0; k < 2; k++) {
@@ -247,8 +241,8 @@ static void descriptions_and_walls(void **state) {
   failed(!asp_wall_from_text(NULL, 0, 0, &error), &error);
   asp_wall_free(NULL);
   asp_description_free(NULL);
-  asp_profile_free(profile);
-  asp_map_free(map);
+  asp_heights_free(profile);
+  asp_heights_free(map);
 }
 
 /* A description that a word was wrong in fails for good. */

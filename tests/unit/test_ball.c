@@ -6,16 +6,16 @@
 #include "check.h"
 #include "gauss_map.h"
 #include "surface/ball.h"
-#include "surface/map.h"
+#include "surface/heights.h"
 #include "surface/size_law.h"
 
 #include <stdlib.h>
 
-static asp_map *gauss(double lambda_2, double axis, double step_x, double step_y, size_t columns,
-                      size_t rows, double r_q) {
+static asp_heights *gauss(double lambda_2, double axis, double step_x, double step_y,
+                          size_t columns, size_t rows, double r_q) {
   gauss_wall wall = {r_q, 1, lambda_2, axis};
   asp_error error;
-  asp_map *map =
+  asp_heights *map =
       gauss_map_create(&wall, (const double[2]){step_x, step_y}, columns, rows, 3, &error);
   if (!map)
     fail_msg("%s", error.text);
@@ -23,7 +23,7 @@ static asp_map *gauss(double lambda_2, double axis, double step_x, double step_y
 }
 
 /* The height of the center over a point, by asking every point of the map and its images. */
-static double brute(const asp_map *map, double radius, size_t i, size_t j) {
+static double brute(const asp_heights *map, double radius, size_t i, size_t j) {
   long columns = (long)map->columns, rows = (long)map->rows, images = map->periodic;
   double best = -INFINITY;
   for (long b = -images * rows; b < (images + 1) * rows; b++)
@@ -32,14 +32,14 @@ static double brute(const asp_map *map, double radius, size_t i, size_t j) {
       double room = radius * radius - x * x - y * y;
       size_t at = (size_t)((b + rows) % rows * columns + (a + columns) % columns);
       if (room >= 0)
-        best = fmax(best, map->heights[at] + sqrt(room));
+        best = fmax(best, map->z[at] + sqrt(room));
     }
   return best;
 }
 
 static void spheres_rest_where_brute_force_says(void **state) {
   (void)state;
-  asp_map *map = gauss(2, 0.6, 0.1, 0.13, 128, 256, 0.3);
+  asp_heights *map = gauss(2, 0.6, 0.1, 0.13, 128, 256, 0.3);
   for (int periodic = 0; periodic < 2; periodic++)
     for (double d_p = 0.05; d_p < 12; d_p *= 2.3) {
       map->periodic = periodic;
@@ -50,7 +50,7 @@ static void spheres_rest_where_brute_force_says(void **state) {
       }
       aspi_ball_free(ball);
     }
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* A sphere on waves of small slope whose crests are wider than it: the contact is where the normal
@@ -58,12 +58,12 @@ static void spheres_rest_where_brute_force_says(void **state) {
 static void contacts_lie_between_the_points(void **state) {
   (void)state;
   enum { N = 64 };
-  float *z = aspi_map_room(N, N);
+  double *z = aspi_allocate(N * N);
   double k = 2 * ASP_PI / N, height = 0.9, r = 3.3;
   for (int j = 0; j < N; j++)
     for (int i = 0; i < N; i++)
-      z[j * N + i] = (float)(height * cos(k * i) * sin(k * j));
-  asp_map *map = aspi_map_adopt(z, N, N, (const double[2]){1, 1}, true, NULL);
+      z[j * N + i] = height * cos(k * i) * sin(k * j);
+  asp_heights *map = aspi_heights_adopt(z, N, N, (const double[2]){1, 1}, true, NULL);
   aspi_ball *ball = aspi_ball_create(map, 2 * r, NULL);
   for (int n = 0; n < 200; n++) {
     double x = n * 29 % N, y = n * 47 % N, u = x, v = y, p = 0, q = 0;
@@ -79,25 +79,24 @@ static void contacts_lie_between_the_points(void **state) {
     assert_near(touch.height, height * cos(k * u) * sin(k * v) + r / sqrt(1 + p * p + q * q), 1e-4);
   }
   aspi_ball_free(ball);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 static void generated_maps_have_their_covariance(void **state) {
   (void)state;
   enum { N = 1024 };
   double axis = 0.5;
-  asp_map *map = gauss(3, axis, 0.125, 0.125, N, N, 2);
+  asp_heights *map = gauss(3, axis, 0.125, 0.125, N, N, 2);
   const int lag[][2] = {{0, 0}, {8, 0}, {0, 8}, {6, 6}, {6, -6}, {15, 9}};
   for (size_t k = 0; k < sizeof lag / sizeof *lag; k++) {
     double sum = 0, x = 0.125 * lag[k][0], y = 0.125 * lag[k][1];
     for (int j = 0; j < N; j++)
       for (int i = 0; i < N; i++)
-        sum += map->heights[j * N + i] *
-               map->heights[(j + lag[k][1] + N) % N * N + (i + lag[k][0]) % N];
+        sum += map->z[j * N + i] * map->z[(j + lag[k][1] + N) % N * N + (i + lag[k][0]) % N];
     double u = x * cos(axis) + y * sin(axis), v = (y * cos(axis) - x * sin(axis)) / 3;
     assert_near(sum / (N * N), 4 * exp(-u * u - v * v), 0.15); /* 5000 correlated areas */
   }
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 static void slopes_follow_the_formula(void **state) {
@@ -105,13 +104,13 @@ static void slopes_follow_the_formula(void **state) {
   const double kappa[] = {0.5, 2, 4}, ratio[] = {1, 5};
   for (int k = 0; k < 2; k++) {
     double phi = 0.05;
-    asp_map *map = gauss(ratio[k], 0, 1 / 16., ratio[k] / 16., 512, 512, phi);
+    asp_heights *map = gauss(ratio[k], 0, 1 / 16., ratio[k] / 16., 512, 512, phi);
     aspi_ball *none = aspi_ball_create(map, 0, NULL);
     size_t n = 512 * 512;
-    float *z = aspi_map_room(512, 512), *p[2], *q[2];
+    float *z = malloc(512 * 512 * sizeof(float)), *p[2], *q[2];
     for (int i = 0; i < 2; i++) {
-      p[i] = aspi_map_room(512, 512);
-      q[i] = aspi_map_room(512, 512);
+      p[i] = malloc(512 * 512 * sizeof(float));
+      q[i] = malloc(512 * 512 * sizeof(float));
     }
     aspi_ball_rows(none, 0, 512, z, p[0], q[0]);
     for (size_t i = 0; i < 3; i++) {
@@ -138,14 +137,15 @@ static void slopes_follow_the_formula(void **state) {
     }
     free(z);
     aspi_ball_free(none);
-    asp_map_free(map);
+    asp_heights_free(map);
   }
 }
 
 /* The rms slope that a sphere meets on a map of 512 x 512 points, in any direction. */
-static double slope_under(const asp_map *map, double d_p) {
+static double slope_under(const asp_heights *map, double d_p) {
   size_t n = 512 * 512;
-  float *z = aspi_map_room(512, 512), *p = aspi_map_room(512, 512), *q = aspi_map_room(512, 512);
+  float *z = malloc(512 * 512 * sizeof(float)), *p = malloc(512 * 512 * sizeof(float)),
+        *q = malloc(512 * 512 * sizeof(float));
   aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
   double sum = 0;
   aspi_ball_rows(ball, 0, 512, z, p, q);
@@ -163,7 +163,7 @@ static void steep_slopes_are_off_the_law_as_stated(void **state) {
   (void)state;
   static const double kappa[] = {1, 4}, most[] = {-0.03, 0.02};
   double phi = 0.25, whole;
-  asp_map *map = gauss(1, 0, 1 / 16., 1 / 16., 512, 512, phi);
+  asp_heights *map = gauss(1, 0, 1 / 16., 1 / 16., 512, 512, phi);
   asp_surface *surface = asp_surface_create(phi, 1, NULL);
   whole = slope_under(map, 0);
   for (int i = 0; i < 2; i++) {
@@ -174,16 +174,16 @@ static void steep_slopes_are_off_the_law_as_stated(void **state) {
     assert_true(off > -0.065 && off < most[i]);
   }
   asp_surface_free(surface);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 static void bad_maps_are_refused(void **state) {
   (void)state;
   asp_error error;
-  asp_map *map = gauss(1, 0, 0.1, 0.1, 128, 256, 1);
+  asp_heights *map = gauss(1, 0, 0.1, 0.1, 128, 256, 1);
   assert_null(aspi_ball_create(map, 13, &error));
   assert_non_null(strstr(error.text, "d_p is 13; it must be"));
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 int main(void) {

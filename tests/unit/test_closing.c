@@ -4,6 +4,7 @@
 #include "check.h"
 #include "base/stream.h"
 #include "surface/closing.h"
+#include "surface/heights.h"
 #include "surface/slopes.h"
 
 enum { MOST = 400 };
@@ -37,7 +38,7 @@ static void by_definition(const double *z, ptrdiff_t n, double spacing, bool per
 
 static void compare(const double *z, size_t n, double spacing, bool periodic, double d_p) {
   double got[MOST], dilated[MOST], closed[MOST];
-  asp_profile *p = asp_profile_from_heights(z, n, spacing, periodic, NULL);
+  asp_heights *p = asp_heights_create(z, n, 1, spacing, spacing, periodic, NULL);
   by_definition(z, (ptrdiff_t)n, spacing, periodic, d_p, 1, dilated);
   by_definition(dilated, (ptrdiff_t)n, spacing, periodic, d_p, -1, closed);
   assert_int_equal(aspi_profile_dilate(p, d_p, got, NULL), ASP_OK);
@@ -46,7 +47,7 @@ static void compare(const double *z, size_t n, double spacing, bool periodic, do
   assert_int_equal(aspi_profile_close(p, d_p, got, NULL), ASP_OK);
   for (size_t i = 0; i < n; i++)
     assert_near(got[i], closed[i], 1e-10 * (1 + d_p));
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 /* Random walks, white noise, steps and spikes from flat to far higher than the disc. */
@@ -92,30 +93,30 @@ static void rolls_over_anything(void **state) {
       steepest = fmax(steepest, t > 0 ? fabs(rise) : 0);
     }
     double d_p = fmax(1, (double)(n - 1) * pow(aspi_stream_uniform(&stream), 2));
-    asp_profile *p = asp_profile_from_heights(z, n, 1, periodic, NULL);
-    asp_profile *polygon = asp_profile_from_heights(fine, all, 1. / FINE, periodic, NULL);
-    asp_profile *rolled = aspi_profile_rolled(p, d_p, (int)parts, NULL);
+    asp_heights *p = asp_heights_create(z, n, 1, 1, 1, periodic, NULL);
+    asp_heights *polygon = asp_heights_create(fine, all, 1, 1. / FINE, 1. / FINE, periodic, NULL);
+    asp_heights *rolled = aspi_profile_rolled(p, d_p, (int)parts, NULL);
     assert_int_equal(aspi_profile_dilate(polygon, d_p, path, NULL), ASP_OK);
-    assert_int_equal(asp_profile_points(rolled), (all - 1) / FINE * parts + (periodic ? parts : 1));
-    for (size_t i = 0; i < asp_profile_points(rolled); i++)
-      assert_near(asp_profile_heights(rolled)[i], path[i * FINE / parts], 0.11 + steepest / FINE);
-    asp_profile_free(rolled);
-    asp_profile_free(polygon);
-    asp_profile_free(p);
+    assert_int_equal(rolled->columns, (all - 1) / FINE * parts + (periodic ? parts : 1));
+    for (size_t i = 0; i < rolled->columns; i++)
+      assert_near(rolled->z[i], path[i * FINE / parts], 0.11 + steepest / FINE);
+    asp_heights_free(rolled);
+    asp_heights_free(polygon);
+    asp_heights_free(p);
   }
 }
 
 static void ends_wrap_or_mirror(void **state) {
   (void)state;
   double z[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 5}, out[10];
-  asp_profile *p = asp_profile_from_heights(z, 10, 1, true, NULL);
+  asp_heights *p = asp_heights_create(z, 10, 1, 1, 1, true, NULL);
   aspi_profile_dilate(p, 4, out, NULL);
   assert_near(out[0], 5 + sqrt(3), 1e-12);
-  asp_profile_free(p);
-  p = asp_profile_from_heights(z, 10, 1, false, NULL);
+  asp_heights_free(p);
+  p = asp_heights_create(z, 10, 1, 1, 1, false, NULL);
   aspi_profile_dilate(p, 4, out, NULL);
   assert_near(out[0], 2, 1e-12);
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 /* A closing fills valleys only, and a second one changes nothing. */
@@ -123,16 +124,16 @@ static void closing_is_a_closing(void **state) {
   (void)state;
   enum { N = 20000 };
   static double once[N], twice[N];
-  asp_profile *p = asp_profile_create(0.2, 1, 0.02, N, 3, NULL);
+  asp_heights *p = aspi_profile_generate(0.2, 1, 0.02, N, 3, NULL);
   aspi_profile_close(p, 2, once, NULL);
-  asp_profile *closed = asp_profile_from_heights(once, N, 0.02, true, NULL);
+  asp_heights *closed = asp_heights_create(once, N, 1, 0.02, 0.02, true, NULL);
   aspi_profile_close(closed, 2, twice, NULL);
   for (int i = 0; i < N; i++) {
-    assert_true(once[i] >= asp_profile_heights(p)[i] - 1e-12);
+    assert_true(once[i] >= p->z[i] - 1e-12);
     assert_near(once[i], twice[i], 1e-12);
   }
-  asp_profile_free(p);
-  asp_profile_free(closed);
+  asp_heights_free(p);
+  asp_heights_free(closed);
 }
 
 /* The slopes of the dilation under a uniform center and those of the closing are one law. */
@@ -142,25 +143,25 @@ static void dilation_and_closing_have_the_same_slopes(void **state) {
   for (int i = 0; i < 3; i++) {
     enum { POINTS = 131072 };
     static double heights[POINTS];
-    asp_profile *p = asp_profile_create(cases[i][0], 1, 1. / 128, POINTS, 5, NULL);
+    asp_heights *p = aspi_profile_generate(cases[i][0], 1, 1. / 128, POINTS, 5, NULL);
     aspi_slopes a, b;
     aspi_profile_describe_slopes(p, cases[i][1], ASP_CONTACT_DILATION, &a, NULL);
     aspi_profile_close(p, cases[i][1], heights, NULL);
-    asp_profile *closed = asp_profile_from_heights(heights, POINTS, 1. / 128, true, NULL);
+    asp_heights *closed = asp_heights_create(heights, POINTS, 1, 1. / 128, 1. / 128, true, NULL);
     aspi_profile_describe_slopes(closed, 1e-6, ASP_CONTACT_DILATION, &b, NULL);
-    asp_profile_free(closed);
+    asp_heights_free(closed);
     assert_near(a.slope.sd, b.slope.sd, 0.003 * a.slope.sd);
     assert_near(a.angle.sd, b.angle.sd, 0.003 * a.angle.sd);
     assert_near(a.slope.skewness, b.slope.skewness, 0.01);
     assert_near(a.slope.kurtosis, b.slope.kurtosis, 0.02);
-    asp_profile_free(p);
+    asp_heights_free(p);
   }
 }
 
 static void bad_diameters_are_named(void **state) {
   (void)state;
   double z[5] = {0, 1, 0, 2, 0}, out[5];
-  asp_profile *p = asp_profile_from_heights(z, 5, 1, true, NULL);
+  asp_heights *p = asp_heights_create(z, 5, 1, 1, 1, true, NULL);
   static const double bad[] = {-1, 0, NAN, INFINITY, 5.5};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     asp_error error;
@@ -168,7 +169,7 @@ static void bad_diameters_are_named(void **state) {
     assert_non_null(strstr(error.text, "d_p is"));
     assert_int_equal(aspi_profile_close(p, bad[i], out, &error), ASP_EARG);
   }
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 int main(void) {

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "description/description.h"
+#include "surface/heights.h"
 
 #include <stdlib.h>
 
@@ -661,10 +662,13 @@ static void unknown_numbers_are_set(void **state) {
 static void coarse_files_are_doubted(void **state) {
   (void)state;
   asp_error error;
-  asp_profile *profile = asp_profile_create(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
+  asp_heights *profile = aspi_profile_generate(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
+  static const double z[16] = {0};
+  asp_heights *map = asp_heights_create(z, 4, 4, 1e-6, 1e-6, false, NULL);
   asp_description *d = asp_description_parse("surface profile fine.csv", NULL, NULL);
-  assert_int_equal(asp_description_set_map(d, NULL, &error), ASP_EARG);
-  assert_int_equal(asp_description_set_profile(d, profile, NULL), ASP_OK);
+  assert_int_equal(asp_description_set_heights(d, map, &error), ASP_EARG);
+  asp_heights_free(map);
+  assert_int_equal(asp_description_set_heights(d, profile, NULL), ASP_OK);
   asp_wall *wall = asp_wall_create(d, 5e-6, 20e-6, NULL);
   const asp_particle largest = {.d_p = 20e-6};
   char text[1500];
@@ -676,7 +680,7 @@ static void coarse_files_are_doubted(void **state) {
   assert_string_equal(text, "");
   asp_wall_free(wall);
   asp_description_free(d);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
 }
 
 /* A wall whose file cannot be read gives the code of its error. */

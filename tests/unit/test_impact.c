@@ -2,12 +2,13 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "choice.h"
+#include "surface/heights.h"
 
 #include <gsl/gsl_rng.h>
 
 typedef struct setup {
   asp_surface *surface;
-  asp_profile *profile; /* short: models that look at one build it anew for every wall */
+  asp_heights *profile; /* short: models that look at one build it anew for every wall */
   aspi_wall_choice choice;
   asp_wall *wall;
 } setup;
@@ -24,7 +25,8 @@ static setup setup_create(const char *spread, const char *law, double slope) {
   s.choice.sizes = (aspi_sizes){1e-3, 0.1, 3};
   if (slope > 0) {
     s.choice.surface = s.surface = asp_surface_create(slope / sqrt(2), 1, NULL);
-    s.choice.profile = s.profile = asp_profile_create(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
+    s.choice.heights = s.profile =
+        aspi_profile_generate(slope / sqrt(2), 1, 1 / 16., 2048, 1, NULL);
   }
   s.wall = wall_of(&s.choice);
   return s;
@@ -33,7 +35,7 @@ static setup setup_create(const char *spread, const char *law, double slope) {
 static void setup_free(setup *s) {
   asp_wall_free(s->wall);
   asp_surface_free(s->surface);
-  asp_profile_free(s->profile);
+  asp_heights_free(s->profile);
 }
 
 static double dot(const double *a, const double *b) {

@@ -5,7 +5,6 @@
 #include "check.h"
 #include "judge_3d.h"
 #include "spread/flight.h"
-#include "spread/line.h"
 
 #include <stdlib.h>
 
@@ -25,9 +24,9 @@ static double height_at(const aspi_field *f, double u, double v) {
   return (1 - v) * ((1 - u) * one[i] + u * one[k]) + v * ((1 - u) * two[i] + u * two[k]);
 }
 
-static void field_of(aspi_field *f, asp_map *map, double d_p) {
+static void field_of(aspi_field *f, asp_heights *map, double d_p) {
   const aspi_grid all = {1, {0, 0}, {map->columns, map->rows}};
-  assert_int_equal(aspi_field_over_map(f, map, d_p, &all, NULL), ASP_OK);
+  assert_int_equal(aspi_field_create(f, map, d_p, &all, NULL), ASP_OK);
 }
 
 /* Flights that begin in the air, over a map whose sides are no powers of two, against small steps.
@@ -35,11 +34,11 @@ static void field_of(aspi_field *f, asp_map *map, double d_p) {
 static void flights_end_where_small_steps_do(void **state) {
   (void)state;
   gauss_wall wall = {0.2, 1, 1, 0};
-  asp_map *map = gauss_map_create(&wall, (const double[2]){0.1, 0.08}, 128, 128, 7, NULL);
+  asp_heights *map = gauss_map_create(&wall, (const double[2]){0.1, 0.08}, 128, 128, 7, NULL);
   map->columns = 101;
   map->rows = 97;
   for (size_t j = 0; j < map->rows; j++)
-    memmove(map->heights + j * 101, map->heights + j * 128, 101 * sizeof *map->heights);
+    memmove(map->z + j * 101, map->z + j * 128, 101 * sizeof *map->z);
   aspi_field f;
   field_of(&f, map, 0.4);
   int hits = 0;
@@ -65,7 +64,7 @@ static void flights_end_where_small_steps_do(void **state) {
   }
   assert_true(hits > 100 && hits < 390);
   aspi_field_free(&f);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* Where a map is coarse, the gradient of a contact and that of the surface between the points
@@ -73,7 +72,7 @@ static void flights_end_where_small_steps_do(void **state) {
 static void no_flight_ends_below_a_coarse_wall(void **state) {
   (void)state;
   gauss_wall wall = {0.2, 1, 1, 0};
-  asp_map *map = gauss_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
+  asp_heights *map = gauss_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
   aspi_field f;
   field_of(&f, map, 0.1);
   int hits = 0;
@@ -94,11 +93,11 @@ static void no_flight_ends_below_a_coarse_wall(void **state) {
   }
   assert_true(hits > 21000);
   aspi_field_free(&f);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* The mean tilt of grazing first hits, which pass several edges on their way. */
-static double mean_tilt(asp_map *map, bool periodic) {
+static double mean_tilt(asp_heights *map, bool periodic) {
   enum { FLIGHTS = 20000 };
   aspi_field f;
   double sum = 0;
@@ -123,32 +122,31 @@ static void edges_do_not_change_first_hits(void **state) {
   (void)state;
   enum { ALL = 256, PIECE = 150 };
   gauss_wall wall = {0.125, 1, 1, 0};
-  asp_map *map = gauss_map_create(&wall, (const double[2]){0.08, 0.08}, ALL, ALL, 9, NULL);
+  asp_heights *map = gauss_map_create(&wall, (const double[2]){0.08, 0.08}, ALL, ALL, 9, NULL);
   double should = mean_tilt(map, true), is = 0;
   for (size_t k = 0; k < 4; k++) {
-    static float piece[PIECE * PIECE];
+    static double piece[PIECE * PIECE];
     for (size_t j = 0; j < PIECE; j++)
-      memcpy(piece + j * PIECE,
-             map->heights + (j + k / 2 * (ALL - PIECE)) * ALL + k % 2 * (ALL - PIECE),
+      memcpy(piece + j * PIECE, map->z + (j + k / 2 * (ALL - PIECE)) * ALL + k % 2 * (ALL - PIECE),
              PIECE * sizeof *piece);
-    asp_map *part = asp_map_from_heights(piece, PIECE, PIECE, 0.08, 0.08, false, NULL);
+    asp_heights *part = asp_heights_create(piece, PIECE, PIECE, 0.08, 0.08, false, NULL);
     is += mean_tilt(part, false) / 4;
-    asp_map_free(part);
+    asp_heights_free(part);
   }
   print_message("mean tilt over edges %.4f, without them %.4f\n", is, should);
   assert_near(is, should, 0.03 * should);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* On one row, weights and places agree, and every one of them is where the beam says. */
 static void first_hits_fill_the_beam(void **state) {
   (void)state;
   gauss_wall wall = {0.2, 1, 1, 0};
-  asp_map *map = gauss_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
+  asp_heights *map = gauss_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
   aspi_field f;
   field_of(&f, map, 2);
-  aspi_line line;
-  assert_int_equal(aspi_line_create(&line, (size_t)f.columns, f.step[0], NULL), ASP_OK);
+  line over;
+  assert_int_equal(line_create(&over, (size_t)f.columns, f.step[0], NULL), ASP_OK);
   enum { COUNT = 20000 };
   static double share[COUNT], weight[1024], count[1024];
   static line_spot spots[COUNT];
@@ -157,15 +155,15 @@ static void first_hits_fill_the_beam(void **state) {
   for (int way = -1; way < 2; way += 2) {
     double fall = 0.1, sum = 0, off = 0;
     memset(count, 0, sizeof count);
-    line_over_row(&line, &f, 3, way);
-    aspi_line_first_hits(&line, fall, weight);
-    line_hits(&line, fall, share, COUNT, spots);
+    line_over_row(&over, &f, 3, way);
+    line_first_hits(&over, fall, weight);
+    line_hits(&over, fall, share, COUNT, spots);
     for (int k = 0; k < COUNT; k++) {
       count[spots[k].face] += 1. / COUNT;
       double x = spots[k].x / f.step[0];
       x = way > 0 ? x : 1023 - x;
       assert_near(spots[k].z, height_at(&f, x, 3), 2e-3);
-      assert_true(line.slope[spots[k].face] > -fall);
+      assert_true(over.slope[spots[k].face] > -fall);
     }
     for (size_t i = 0; i < 1024; i++) {
       sum += weight[i];
@@ -174,9 +172,9 @@ static void first_hits_fill_the_beam(void **state) {
     assert_near(sum, 1, 1e-9);
     assert_true(off < 2. / COUNT);
   }
-  aspi_line_free(&line);
+  line_free(&over);
   aspi_field_free(&f);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* A case of the table: the angle from the flight to axis 1, d_p, alpha1, and what stands there;
@@ -252,13 +250,13 @@ static void divergences_have_no_bias(void **state) {
 
 /* A map of ridges: a grazing particle that has hit a crest does not hit it again. With steps of the
  * map from 2.5 to 1.25 um the law of such a map has later hits in 0.016 to 0.018 of the impacts. */
-static asp_map *ridges(const surfaces *subject, const double step[2], size_t points,
-                       uint32_t seed) {
+static asp_heights *ridges(const surfaces *subject, const double step[2], size_t points,
+                           uint32_t seed) {
   (void)step;
-  asp_map *map =
+  asp_heights *map =
       gauss_map_create(&subject->wall, (const double[2]){2.5, 2.5}, points, points, seed, NULL);
   for (size_t i = 0; i < points * points; i++)
-    map->heights[i] = -2 * fabsf(map->heights[i]);
+    map->z[i] = -2 * fabs(map->z[i]);
   return map;
 }
 

@@ -5,6 +5,7 @@
 #include "rebound/cor_table.h"
 #include "rebound/materials.h"
 #include "readers/read.h"
+#include "surface/heights.h"
 
 #include <locale.h>
 #include <stdlib.h>
@@ -37,14 +38,14 @@ static void profiles(void **state) {
   for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
     asp_error error;
     const char *path = file_of(files[i]);
-    asp_profile *p = aspi_profile_read(NULL, path, &options, NULL, &error);
+    asp_heights *p = aspi_read(NULL, path, false, &options, NULL, &error);
     unlink(path);
     if (!p)
       print_error("%s\n", error.text);
     assert_non_null(p);
-    assert_near(asp_profile_spacing(p), 0.5e-6, 1e-15);
-    assert_near(asp_profile_heights(p)[1], 2.5e-6, 1e-15);
-    asp_profile_free(p);
+    assert_near(p->step[0], 0.5e-6, 1e-15);
+    assert_near(p->z[1], 2.5e-6, 1e-15);
+    asp_heights_free(p);
   }
 }
 

@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
+#include "surface/describe.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -54,9 +55,9 @@ static void write_matrix(const char *path, const char *head, const char *separat
 
 static asp_reader *reader;
 
-static asp_map *read_map(const char *path) {
+static asp_heights *read_map(const char *path) {
   asp_error error;
-  asp_map *map = asp_reader_read_map(reader, path, &error);
+  asp_heights *map = asp_reader_read(reader, path, true, &error);
   if (!map)
     fail_msg("%s", error.text);
   return map;
@@ -64,7 +65,7 @@ static asp_map *read_map(const char *path) {
 
 static void refuse(const char *path, const char *words) {
   asp_error error;
-  assert_null(asp_reader_read_map(reader, path, &error));
+  assert_null(asp_reader_read(reader, path, true, &error));
   if (!strstr(error.text, words))
     fail_msg("'%s' is not in '%s'", words, error.text);
 }
@@ -84,15 +85,15 @@ static int teardown(void **state) {
   return 0;
 }
 
-static void check_map(asp_map *map, double tolerance) {
-  assert_int_equal(asp_map_columns(map), COLUMNS);
-  assert_int_equal(asp_map_rows(map), ROWS);
-  assert_near(asp_map_step_x(map), 0.5, 1e-9);
-  assert_near(asp_map_step_y(map), 0.7, 1e-9);
+static void check_map(asp_heights *map, double tolerance) {
+  assert_int_equal(map->columns, COLUMNS);
+  assert_int_equal(map->rows, ROWS);
+  assert_near(map->step[0], 0.5, 1e-9);
+  assert_near(map->step[1], 0.7, 1e-9);
   for (int j = 0; j < ROWS; j++)
     for (int i = 0; i < COLUMNS; i++)
-      assert_near(asp_map_heights(map)[j * COLUMNS + i], heights[j][i], tolerance);
-  asp_map_free(map);
+      assert_near(map->z[j * COLUMNS + i], heights[j][i], tolerance);
+  asp_heights_free(map);
 }
 
 static void matrices_are_read(void **state) {
@@ -181,7 +182,7 @@ static void what_is_no_height_is_refused(void **state) {
     fprintf(file, "%g%s", k % 700 == 350 ? -770 : heights[k / COLUMNS][k % COLUMNS],
             k % COLUMNS + 1 < COLUMNS ? "\t" : "\n");
   fclose(file);
-  asp_map_free(read_map("map"));
+  asp_heights_free(read_map("map"));
   assert_non_null(strstr(asp_reader_text(reader), ", 11 bad"));
 }
 
@@ -194,11 +195,13 @@ static void noise_is_no_wall(void **state) {
     fprintf(file, "%u%s", (r = r * 1664525u + 1013904223u) >> 24,
             k % COLUMNS + 1 < COLUMNS ? " " : "\n");
   fclose(file);
-  asp_map *map = read_map("map");
+  asp_heights *map = read_map("map");
   asp_error error;
-  assert_null(asp_surface_create_map(map, false, &error));
+  asp_heights_numbers numbers;
+  assert_int_equal(asp_heights_describe(map, &numbers, &error), ASP_OK);
+  assert_null(aspi_surface_create_map(map, &numbers, false, &error));
   assert_non_null(strstr(error.text, "this is noise"));
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* As the standard has it, in little-endian order, whatever this machine has. */
@@ -258,11 +261,11 @@ static void binary_files_are_read(void **state) {
     asp_reader_set(reader, "fill", 0, NULL);
     refuse("map", "1 of 7680 points are bad");
     asp_reader_set(reader, "fill", 1, NULL);
-    asp_map *map = read_map("map");
+    asp_heights *map = read_map("map");
     double mean = 0.25 * (heights[20][39] + heights[20][41] + heights[19][40] + heights[21][40]);
-    assert_near(asp_map_heights(map)[20 * COLUMNS + 40], mean, 0.02);
+    assert_near(map->z[20 * COLUMNS + 40], mean, 0.02);
     assert_non_null(strstr(asp_reader_text(reader), ", 1 points filled in"));
-    asp_map_free(map);
+    asp_heights_free(map);
   }
 }
 
@@ -285,12 +288,12 @@ static void text_of_the_standard_is_read(void **state) {
     fprintf(file, "%d ", k * k % 11);
   fputs("\n*\ntrailer\n*", file);
   fclose(file);
-  asp_map *map = read_map("map");
-  assert_int_equal(asp_map_columns(map), 7);
-  assert_int_equal(asp_map_rows(map), 4);
-  assert_near(asp_map_step_y(map), 2, 1e-9);
-  assert_near(asp_map_heights(map)[9] - asp_map_heights(map)[0], 81 % 11, 1e-5);
-  asp_map_free(map);
+  asp_heights *map = read_map("map");
+  assert_int_equal(map->columns, 7);
+  assert_int_equal(map->rows, 4);
+  assert_near(map->step[1], 2, 1e-9);
+  assert_near(map->z[9] - map->z[0], 81 % 11, 1e-5);
+  asp_heights_free(map);
 }
 
 static void form_and_spikes_are_taken_out(void **state) {
@@ -300,32 +303,32 @@ static void form_and_spikes_are_taken_out(void **state) {
   const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
   asp_reader_set(reader, "form", 2, NULL);
   write_matrix("map", head, ",");
-  asp_map *plain = read_map("map");
+  asp_heights *plain = read_map("map");
   assert_int_equal(asp_reader_check(reader, NULL), ASP_OK);
   for (int j = 0; j < ROWS; j++)
     for (int i = 0; i < COLUMNS; i++)
       heights[j][i] += 300 + 2.5 * i - 1.5 * j + 0.01 * i * j + 0.02 * i * i;
   write_matrix("map", head, ",");
-  asp_map *bent = read_map("map");
+  asp_heights *bent = read_map("map");
   for (size_t i = 0; i < ROWS * COLUMNS; i++)
-    assert_near(asp_map_heights(bent)[i], asp_map_heights(plain)[i], 2e-3);
+    assert_near(bent->z[i], plain->z[i], 2e-3);
   heights[33][44] += 400;
   heights[70][3] -= 400;
   write_matrix("map", head, ",");
   asp_error doubt;
-  asp_map_free(read_map("map"));
+  asp_heights_free(read_map("map"));
   assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
   assert_non_null(strstr(doubt.text, "2 of 7680 points lie over 20"));
   asp_reader_set(reader, "spikes", 15, NULL);
   refuse("map", "is the first of 2 spikes; fill the gaps (reader: fill 1)");
   asp_reader_set(reader, "fill", 1, NULL);
-  asp_map *mended = read_map("map");
+  asp_heights *mended = read_map("map");
   for (size_t i = 0; i < ROWS * COLUMNS; i++)
-    assert_near(asp_map_heights(mended)[i], asp_map_heights(plain)[i], 7);
-  assert_near(asp_map_heights(mended)[0], asp_map_heights(plain)[0], 0.1);
-  asp_map_free(plain);
-  asp_map_free(bent);
-  asp_map_free(mended);
+    assert_near(mended->z[i], plain->z[i], 7);
+  assert_near(mended->z[0], plain->z[0], 0.1);
+  asp_heights_free(plain);
+  asp_heights_free(bent);
+  asp_heights_free(mended);
   memcpy(heights, kept, sizeof kept);
 }
 
@@ -351,12 +354,12 @@ static void ground_walls_are_not_dust(void **state) {
     }
     write_matrix("map", head, ",");
     asp_error doubt = {ASP_OK, ""};
-    asp_map_free(read_map("map"));
+    asp_heights_free(read_map("map"));
     if (asp_reader_check(reader, &doubt))
       fail_msg("lay at %d degrees: %s", degrees, doubt.text);
     heights[40][50] += 100;
     write_matrix("map", head, ",");
-    asp_map_free(read_map("map"));
+    asp_heights_free(read_map("map"));
     assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
     assert_non_null(strstr(doubt.text, "1 of 7680 points lie"));
   }
@@ -371,19 +374,19 @@ static void depths_of_maps_become_heights(void **state) {
     for (int i = 0; i < COLUMNS; i++)
       fprintf(file, "%.1f,%.1f,%.6f\n", 0.5 * i, 0.7 * j, 3 - heights[j][i]);
   fclose(file);
-  asp_map *map = read_map("map");
+  asp_heights *map = read_map("map");
   assert_non_null(strstr(asp_reader_text(reader), "depths turned into heights"));
   check_map(map, 1e-4);
 }
 
 static void numbers_agree_with_scipy(void **state) {
   (void)state;
-  static float z[ROWS * COLUMNS];
+  static double z[ROWS * COLUMNS];
   for (int i = 0; i < ROWS * COLUMNS; i++)
-    z[i] = (float)heights[i / COLUMNS][i % COLUMNS];
-  asp_map *map = asp_map_from_heights(z, COLUMNS, ROWS, 0.5, 0.7, false, NULL);
-  asp_map_numbers numbers;
-  assert_int_equal(asp_map_describe(map, &numbers, NULL), ASP_OK);
+    z[i] = heights[i / COLUMNS][i % COLUMNS];
+  asp_heights *map = asp_heights_create(z, COLUMNS, ROWS, 0.5, 0.7, false, NULL);
+  asp_heights_numbers numbers;
+  assert_int_equal(asp_heights_describe(map, &numbers, NULL), ASP_OK);
   const struct {
     double is, value, tolerance;
   } all[] = {{numbers.s_q, 5.218929344, 1e-5},
@@ -401,7 +404,7 @@ static void numbers_agree_with_scipy(void **state) {
              {numbers.lay, 111.82688 * ASP_PI / 180, 0.002}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     assert_near(all[i].is, all[i].value, all[i].tolerance);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 /* A line of any length is one row. */
@@ -414,12 +417,12 @@ static void long_lines_are_read(void **state) {
     fprintf(file, "%.5f%s", sin(k), (k + 1) % LONG ? " " : "\n");
   fclose(file);
   asp_reader_set(reader, "form", -1, NULL);
-  asp_map *map = read_map("map");
-  assert_int_equal(asp_map_columns(map), LONG);
-  assert_int_equal(asp_map_rows(map), 4);
-  const float *z = asp_map_heights(map);
+  asp_heights *map = read_map("map");
+  assert_int_equal(map->columns, LONG);
+  assert_int_equal(map->rows, 4);
+  const double *z = map->z;
   assert_near(z[4 * LONG - 1] - z[0], sin(4 * LONG - 1), 1e-4);
-  asp_map_free(map);
+  asp_heights_free(map);
 }
 
 static void bad_files_are_refused(void **state) {
@@ -431,8 +434,8 @@ static void bad_files_are_refused(void **state) {
       {"DIGITAL SURF", "the free program Gwyddion"},
       {"PK\x03\x04", "a zip (X3P"},
       {"bISO-1.0 x", "ends within its header"},
-      {"aISO-1.0\nNumPoints = 3\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
-       "NumPoints is 3; it must be 4"},
+      {"aISO-1.0\nNumPoints = 2\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
+       "NumPoints is 2; it must be 3"},
       {"1 2 3 4\n5 6 7 8\n", "no unit of the heights"},
       {"# Value units: um\n1 2 3 4\n5 6 7\n", ":3: 3 fields, the first line of numbers has 4"},
       {"# Value units: um\n1 2 3 4\n5 6 7 x\n", ":3: '5 6 7 x' where numbers"},

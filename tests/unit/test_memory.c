@@ -9,7 +9,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "gauss_map.h"
 #include "spread/flight.h"
-#include "spread/line.h"
 #include "wall/wall.h"
 #include "surface/ball.h"
 #include "surface/closing.h"
@@ -55,7 +54,7 @@ void *realloc(void *memory, size_t size) {
   return fails() ? NULL : __libc_realloc(memory, size);
 }
 
-static asp_profile *profile;
+static asp_heights *profile;
 static asp_surface *surface;
 
 /* What an entry point gives: a code, or the code that goes with a NULL. */
@@ -66,8 +65,8 @@ static asp_code code_of(const void *made, const asp_error *error) {
 }
 
 static asp_code read_with(const char *path, aspi_profile_options options, asp_error *error) {
-  asp_profile *made = aspi_profile_read(NULL, path, &options, NULL, error);
-  asp_profile_free(made);
+  asp_heights *made = aspi_read(NULL, path, false, &options, NULL, error);
+  asp_heights_free(made);
   return code_of(made, error);
 }
 
@@ -104,20 +103,20 @@ static asp_code read_pipe(asp_error *error) {
 }
 
 static asp_code create_profile(asp_error *error) {
-  asp_profile *made = asp_profile_create(1, 10, 1, 2000, 1, error);
-  asp_profile_free(made);
+  asp_heights *made = aspi_profile_generate(1, 10, 1, 2000, 1, error);
+  asp_heights_free(made);
   return code_of(made, error);
 }
 
 static asp_code copy_profile(asp_error *error) {
-  asp_profile *made = asp_profile_from_heights(asp_profile_heights(profile), 500, 1, false, error);
-  asp_profile_free(made);
+  asp_heights *made = asp_heights_create(profile->z, 500, 1, 1, 1, false, error);
+  asp_heights_free(made);
   return code_of(made, error);
 }
 
 static asp_code describe(asp_error *error) {
-  aspi_profile_description description;
-  return aspi_profile_describe(profile, ASP_LEVEL_1_E, &description, error);
+  asp_heights_numbers description;
+  return asp_heights_describe(profile, &description, error);
 }
 
 static asp_code describe_slopes(asp_error *error) {
@@ -142,14 +141,14 @@ static asp_code slopes(asp_error *error) {
 
 static asp_code field(asp_error *error) {
   aspi_field made;
-  asp_code code = aspi_field_over_profile(&made, profile, 20, error);
+  asp_code code = aspi_field_create(&made, profile, 20, NULL, error);
   if (!code)
     aspi_field_free(&made);
   return code;
 }
 
-static asp_map *gauss_map(asp_error *error) {
-  gauss_wall wall = {1, 4, 4, 0};
+static asp_heights *gauss_map(asp_error *error) {
+  gauss_wall wall = {1, 5, 5, 0};
   return gauss_map_create(&wall, (const double[2]){1, 1}, 64, 64, 1, error);
 }
 
@@ -159,8 +158,8 @@ static asp_code read_area(const char *path, asp_error *error) {
     return error->code;
   asp_reader_set(own, "fill", 1, NULL);
   asp_reader_set(own, "spikes", 8, NULL);
-  asp_map *made = asp_reader_read_map(own, path, error);
-  asp_map_free(made);
+  asp_heights *made = asp_reader_read(own, path, true, error);
+  asp_heights_free(made);
   asp_reader_free(own);
   return code_of(made, error);
 }
@@ -177,16 +176,16 @@ static asp_code read_triples(asp_error *error) {
   return read_area("triples.csv", error);
 }
 
-static asp_map *gauss;
+static asp_heights *gauss;
 
 static asp_code copied_map(asp_error *error) {
-  asp_map *made = asp_map_from_heights(asp_map_heights(gauss), 32, 32, 1, 1, false, error);
-  asp_map_free(made);
+  asp_heights *made = asp_heights_create(gauss->z, 32, 32, 1, 1, false, error);
+  asp_heights_free(made);
   return code_of(made, error);
 }
 
 static asp_code described_map(asp_error *error) {
-  return asp_map_describe(gauss, &(asp_map_numbers){0}, error);
+  return asp_heights_describe(gauss, &(asp_heights_numbers){0}, error);
 }
 
 static asp_code ball(asp_error *error) {
@@ -198,24 +197,19 @@ static asp_code ball(asp_error *error) {
 static asp_code field_over_map(asp_error *error) {
   aspi_field made;
   const aspi_grid all = {1, {0, 0}, {64, 64}};
-  asp_code code = aspi_field_over_map(&made, gauss, 10, &all, error);
+  asp_code code = aspi_field_create(&made, gauss, 10, &all, error);
   if (!code)
     aspi_field_free(&made);
   return code;
 }
 
 static asp_code map_surface(asp_error *error) {
-  asp_surface *made = asp_surface_create_map(gauss, true, error);
+  asp_heights_numbers numbers;
+  if (asp_heights_describe(gauss, &numbers, error))
+    return error->code;
+  asp_surface *made = aspi_surface_create_map(gauss, &numbers, true, error);
   asp_surface_free(made);
   return code_of(made, error);
-}
-
-static asp_code line(asp_error *error) {
-  aspi_line made;
-  asp_code code = aspi_line_create(&made, 1000, 1, error);
-  if (!code)
-    aspi_line_free(&made);
-  return code;
 }
 
 static asp_code give_surface(asp_surface *made, const asp_error *error) {
@@ -264,7 +258,7 @@ static bool measured;
 static asp_code rough_wall(asp_error *error) {
   aspi_wall_choice choice = aspi_wall_choice_smooth();
   choice.surface = surface;
-  choice.profile = measured ? profile : NULL;
+  choice.heights = measured ? profile : NULL;
   choice.spread = asp_spread_at(model);
   choice.sizes = (aspi_sizes){25, 40, 2};
   asp_wall *wall = aspi_wall_create(&choice, error);
@@ -419,7 +413,6 @@ int main(void) {
       {"map, from heights", copied_map, true},
       {"map described", described_map, true},
       {"sphere on a map", ball, true},
-      {"line", line, true},
       {"field over a map", field_over_map, true},
       {"surface of a map", map_surface, true},
       {"surface, closed form", closed_form, true},
@@ -437,7 +430,7 @@ int main(void) {
   if (!mkdtemp(folder) || chdir(folder) != 0)
     return 1;
   write_files();
-  profile = asp_profile_create(1, 10, 1, 3000, 1, NULL);
+  profile = aspi_profile_generate(1, 10, 1, 3000, 1, NULL);
   surface = asp_surface_create(1, 10, NULL);
   gauss = gauss_map(NULL);
   long told = 0;
@@ -450,9 +443,9 @@ int main(void) {
                with ? " measured" : "");
       told += try_all(name, rough_wall, true);
     }
-  asp_map_free(gauss);
+  asp_heights_free(gauss);
   asp_surface_free(surface);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
   const char *const files[] = {"even.csv",    "uneven.csv",    "map.sdf",  "matrix.csv",
                                "triples.csv", "materials.csv", "table.csv"};
   for (size_t i = 0; i < sizeof files / sizeof *files; i++)

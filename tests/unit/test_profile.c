@@ -4,7 +4,7 @@
 #include "check.h"
 #include "base/units.h"
 #include "surface/describe.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 #include "readers/read.h"
 
 #include <stdlib.h>
@@ -19,18 +19,16 @@ static void generated_profile_has_its_numbers(void **state) {
   static const size_t points[] = {65536, 99991, 65537};
   double r_q = 0, lambda_c = 0, slope = 0;
   for (uint32_t seed = 0; seed < 12; seed++) {
-    asp_profile *p = asp_profile_create(3, 20, 0.5, points[seed % 3], seed, NULL);
-    aspi_profile_description d;
-    assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
-    assert_int_equal(d.points, points[seed % 3]);
-    assert_near(d.r_q, 3, 0.15);
-    assert_near(d.lambda_c, 20, 1.5);
-    assert_near(d.slope_rms, sqrt(2) * 3 / 20, 0.006);
-    assert_near(d.lambda_1_e, d.lambda_c, 1e-12 * d.lambda_c);
-    r_q += d.r_q / 12;
-    lambda_c += d.lambda_c / 12;
-    slope += d.slope_rms / 12;
-    asp_profile_free(p);
+    asp_heights *p = aspi_profile_generate(3, 20, 0.5, points[seed % 3], seed, NULL);
+    asp_heights_numbers d;
+    assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
+    assert_near(d.s_q, 3, 0.15);
+    assert_near(d.lambda_1, 20, 1.5);
+    assert_near(d.s_dq, sqrt(2) * 3 / 20, 0.006);
+    r_q += d.s_q / 12;
+    lambda_c += d.lambda_1 / 12;
+    slope += d.s_dq / 12;
+    asp_heights_free(p);
   }
   assert_near(r_q, 3, 0.03);
   assert_near(lambda_c, 20, 0.3);
@@ -39,14 +37,14 @@ static void generated_profile_has_its_numbers(void **state) {
 
 static void the_seed_decides(void **state) {
   (void)state;
-  asp_profile *a = asp_profile_create(1, 1, 0.1, 1000, 7, NULL);
-  asp_profile *b = asp_profile_create(1, 1, 0.1, 1000, 7, NULL);
-  asp_profile *c = asp_profile_create(1, 1, 0.1, 1000, 8, NULL);
-  assert_memory_equal(asp_profile_heights(a), asp_profile_heights(b), 1000 * sizeof(double));
-  assert_memory_not_equal(asp_profile_heights(a), asp_profile_heights(c), 1000 * sizeof(double));
-  asp_profile_free(a);
-  asp_profile_free(b);
-  asp_profile_free(c);
+  asp_heights *a = aspi_profile_generate(1, 1, 0.1, 1000, 7, NULL);
+  asp_heights *b = aspi_profile_generate(1, 1, 0.1, 1000, 7, NULL);
+  asp_heights *c = aspi_profile_generate(1, 1, 0.1, 1000, 8, NULL);
+  assert_memory_equal(a->z, b->z, 1000 * sizeof(double));
+  assert_memory_not_equal(a->z, c->z, 1000 * sizeof(double));
+  asp_heights_free(a);
+  asp_heights_free(b);
+  asp_heights_free(c);
 }
 
 /* No step where the end meets the beginning: it is as steep there as elsewhere. */
@@ -54,27 +52,12 @@ static void generated_profile_is_periodic(void **state) {
   (void)state;
   double square = 0;
   for (uint32_t seed = 0; seed < 200; seed++) {
-    asp_profile *p = asp_profile_create(1, 1, 0.05, 401, seed, NULL);
-    const double *z = asp_profile_heights(p);
+    asp_heights *p = aspi_profile_generate(1, 1, 0.05, 401, seed, NULL);
+    const double *z = p->z;
     square += pow((z[0] - z[400]) / 0.05, 2) / 200;
-    asp_profile_free(p);
+    asp_heights_free(p);
   }
   assert_near(sqrt(square), sqrt(2), 0.25);
-}
-
-/* The autocorrelation at the level of S_al: lambda_c sqrt(ln 5) for a Gaussian one. */
-static void levels_of_the_autocorrelation(void **state) {
-  (void)state;
-  asp_profile *p = asp_profile_create(1, 1, 0.05, 1 << 18, 1, NULL);
-  aspi_profile_description a, b;
-  aspi_profile_describe(p, ASP_LEVEL_1_E, &a, NULL);
-  aspi_profile_describe(p, ASP_LEVEL_S_AL, &b, NULL);
-  assert_near(b.lambda_c / a.lambda_c, sqrt(log(5)), 0.03);
-  assert_near(b.lambda_1_e, a.lambda_c, 0.03);
-  assert_near(b.phi_r, b.r_q / b.lambda_c, 1e-12);
-  asp_error error;
-  assert_int_equal(aspi_profile_describe(p, 1, &a, &error), ASP_EARG);
-  asp_profile_free(p);
 }
 
 /* A wave of known R_q, R_a, slope and correlation, whole and cut out of a longer one. */
@@ -85,39 +68,39 @@ static void description_of_a_wave(void **state) {
   for (int i = 0; i < N; i++)
     z[i] = 5 + sqrt(2) * sin(2 * ASP_PI * i / 100);
   for (int periodic = 0; periodic < 2; periodic++) {
-    asp_profile *p = asp_profile_from_heights(z, N, 0.1, periodic, NULL);
-    aspi_profile_description d;
-    assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
-    assert_near(d.r_q, 1, 1e-9);
-    assert_near(d.r_a, sqrt(2) * 2 / ASP_PI, 1e-3);
-    assert_near(d.lambda_c, 10 * acos(exp(-1)) / (2 * ASP_PI), periodic ? 2e-3 : 2e-2);
-    assert_near(d.slope_rms, 2 * ASP_PI / 10, 1e-3);
-    asp_profile_free(p);
+    asp_heights *p = asp_heights_create(z, N, 1, 0.1, 0.1, periodic, NULL);
+    asp_heights_numbers d;
+    assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
+    assert_near(d.s_q, 1, 1e-9);
+    assert_near(d.s_a, sqrt(2) * 2 / ASP_PI, 1e-3);
+    assert_near(d.lambda_1, 10 * acos(exp(-1)) / (2 * ASP_PI), periodic ? 2e-3 : 2e-2);
+    assert_near(d.s_dq, 2 * ASP_PI / 10, 1e-3);
+    asp_heights_free(p);
   }
 }
 
 static void bad_profiles_are_refused(void **state) {
   (void)state;
   asp_error e;
-  assert_null(asp_profile_create(0, 1, 0.1, 1000, 1, &e));
+  assert_null(aspi_profile_generate(0, 1, 0.1, 1000, 1, &e));
   assert_non_null(strstr(e.text, "r_q"));
-  assert_null(asp_profile_create(1, NAN, 0.1, 1000, 1, &e));
+  assert_null(aspi_profile_generate(1, NAN, 0.1, 1000, 1, &e));
   assert_non_null(strstr(e.text, "lambda_c"));
-  assert_null(asp_profile_create(1, 1, 0.3, 1000, 1, &e));
+  assert_null(aspi_profile_generate(1, 1, 0.3, 1000, 1, &e));
   assert_non_null(strstr(e.text, "lambda_c/4"));
-  assert_null(asp_profile_create(1, 1, 0.1, 199, 1, &e));
+  assert_null(aspi_profile_generate(1, 1, 0.1, 199, 1, &e));
   assert_non_null(strstr(e.text, "20 lambda_c"));
   double z[4] = {1, 2, INFINITY, 1};
-  assert_null(asp_profile_from_heights(z, 4, 1, false, &e));
+  assert_null(asp_heights_create(z, 4, 1, 1, 1, false, &e));
   assert_non_null(strstr(e.text, "height 2"));
-  assert_null(asp_profile_from_heights(z, 2, 1, false, &e));
-  assert_null(asp_profile_from_heights(z, 4, -1, false, &e));
+  assert_null(asp_heights_create(z, 2, 1, 1, 1, false, &e));
+  assert_null(asp_heights_create(z, 4, 1, -1, -1, false, &e));
   z[2] = z[1] = z[0] = z[3];
-  asp_profile *flat = asp_profile_from_heights(z, 4, 1, false, &e);
-  aspi_profile_description d;
-  assert_int_equal(aspi_profile_describe(flat, 0.5, &d, &e), ASP_EDATA);
+  asp_heights *flat = asp_heights_create(z, 4, 1, 1, 1, false, &e);
+  asp_heights_numbers d;
+  assert_int_equal(asp_heights_describe(flat, &d, &e), ASP_EDATA);
   assert_non_null(strstr(e.text, "constant"));
-  asp_profile_free(flat);
+  asp_heights_free(flat);
 }
 
 /* ---- read ---- */
@@ -130,7 +113,7 @@ static asp_error error;
 static aspi_profile_report report;
 
 /* Writes a file, reads it, removes it. */
-static asp_profile *read_bytes(const char *bytes, size_t length,
+static asp_heights *read_bytes(const char *bytes, size_t length,
                                const aspi_profile_options *options) {
   char path[] = "/tmp/asperity_test_XXXXXX";
   int file = mkstemp(path);
@@ -138,12 +121,12 @@ static asp_profile *read_bytes(const char *bytes, size_t length,
   assert_int_equal(write(file, bytes, length), length);
   close(file);
   error = (asp_error){ASP_OK, ""};
-  asp_profile *p = aspi_profile_read(NULL, path, options, &report, &error);
+  asp_heights *p = aspi_read(NULL, path, false, options, &report, &error);
   unlink(path);
   return p;
 }
 
-static asp_profile *read_text(const char *text, const aspi_profile_options *options) {
+static asp_heights *read_text(const char *text, const aspi_profile_options *options) {
   return read_bytes(text, strlen(text), options);
 }
 
@@ -152,15 +135,15 @@ static void expect(const char *text, const aspi_profile_options *options, size_t
   aspi_profile_options plain = options ? *options : aspi_profile_options_default();
   if (!options)
     plain.form = -1;
-  asp_profile *p = read_text(text, &plain);
+  asp_heights *p = read_text(text, &plain);
   if (!p)
     print_error("%s\n", error.text);
   assert_non_null(p);
-  assert_int_equal(asp_profile_points(p), points);
-  assert_near(asp_profile_spacing(p), spacing, 1e-9 * spacing);
-  assert_near(asp_profile_heights(p)[2], third, 1e-9 * fabs(third));
-  assert_false(aspi_profile_periodic(p));
-  asp_profile_free(p);
+  assert_int_equal(p->columns, points);
+  assert_near(p->step[0], spacing, 1e-9 * spacing);
+  assert_near(p->z[2], third, 1e-9 * fabs(third));
+  assert_false(p->periodic);
+  asp_heights_free(p);
 }
 
 static void expect_error(const char *text, const aspi_profile_options *options, asp_code code,
@@ -182,14 +165,14 @@ static void heights_and_spacings_are_numbers(void **state) {
   for (size_t i = 0; i < sizeof spacings / sizeof *spacings; i++) {
     double z[] = {0, spacings[i], 0, 2 * spacings[i]};
     bool good = spacings[i] > 9e-101 && spacings[i] < 2e100;
-    asp_profile *p = asp_profile_from_heights(z, 4, spacings[i], true, &wrong);
+    asp_heights *p = asp_heights_create(z, 4, 1, spacings[i], spacings[i], true, &wrong);
     assert_int_equal(p != NULL, good);
-    asp_profile_free(p);
+    asp_heights_free(p);
     if (!good)
-      assert_non_null(strstr(wrong.text, "spacing is"));
+      assert_non_null(strstr(wrong.text, "step_x is"));
     for (size_t k = 0; good && k < sizeof bad / sizeof *bad; k++) {
       z[2] = bad[k];
-      assert_null(asp_profile_from_heights(z, 4, spacings[i], true, &wrong));
+      assert_null(asp_heights_create(z, 4, 1, spacings[i], spacings[i], true, &wrong));
       assert_int_equal(wrong.code, ASP_EARG);
       assert_non_null(strstr(wrong.text, "height 2 is"));
     }
@@ -247,15 +230,15 @@ static void an_instruments_own_file(void **state) {
                       "Location,0.0 um, 0.0 um\r\n\r\nScan Data\r\nLateral um,Raw Micrometer,\r\n");
   for (int i = 0; i < N; i++)
     end += sprintf(end, "%.1f,%.5f,,\r\n", i * 0.15625, 4 + 0.01 * i + sin(i / 50.));
-  asp_profile *p = read_text(text, NULL);
+  asp_heights *p = read_text(text, NULL);
   assert_non_null(p);
-  assert_int_equal(asp_profile_points(p), N);
-  assert_near(asp_profile_spacing(p), 0.15625e-6, 2e-12);
+  assert_int_equal(p->columns, N);
+  assert_near(p->step[0], 0.15625e-6, 2e-12);
   assert_null(strstr(report.text, "resampled"));
-  aspi_profile_description d;
-  assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
-  assert_near(d.r_q, sqrt(0.5) * 1e-6, 0.02e-6);
-  asp_profile_free(p);
+  asp_heights_numbers d;
+  assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
+  assert_near(d.s_q, sqrt(0.5) * 1e-6, 0.02e-6);
+  asp_heights_free(p);
   free(text);
 }
 
@@ -272,14 +255,14 @@ static void the_mark_of_utf8_is_no_data(void **state) {
   aspi_profile_options o = aspi_profile_options_default();
   o.unit_x = o.unit_z = 1e-6;
   for (int k = 0; k < 2; k++) {
-    asp_profile *p = read_text(text + (k ? 3 : 0), &o);
+    asp_heights *p = read_text(text + (k ? 3 : 0), &o);
     assert_non_null(p);
     assert_non_null(strstr(report.text, "resampled"));
     assert_non_null(strstr(report.text, "points read, 0 bad"));
-    aspi_profile_description d;
-    assert_int_equal(aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL), ASP_OK);
-    assert_near(d.r_q, 0.25e-6, 0.003e-6);
-    asp_profile_free(p);
+    asp_heights_numbers d;
+    assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
+    assert_near(d.s_q, 0.25e-6, 0.003e-6);
+    asp_heights_free(p);
   }
   free(text);
   expect("\xEF\xBB\xBF" SDF_HEAD "*\n1 2 3 4 1 2 3 4 1 2 3 4\n*\n", NULL, 4, 2e-6, 3e-6);
@@ -308,12 +291,12 @@ static void lines_in_x_and_y(void **state) {
     double at = 5 * i + 2 * sin(i);
     end += sprintf(end, "%.4f,%.4f,%.4f\n", 7 - 0.6 * at, 0.8 * at - 9, at);
   }
-  asp_profile *p = read_text(uneven, &o);
+  asp_heights *p = read_text(uneven, &o);
   assert_non_null(p);
   assert_non_null(strstr(report.text, "unequal spacing of 3.082e-06 to 6.918e-06 m resampled"));
   for (int i = 0; i < 190; i++)
-    assert_near(asp_profile_heights(p)[i], i * asp_profile_spacing(p), 1e-9);
-  asp_profile_free(p);
+    assert_near(p->z[i], i * p->step[0], 1e-9);
+  asp_heights_free(p);
 }
 
 /* Of text with more columns than anybody has names for, and of a wide map. */
@@ -413,9 +396,9 @@ static void files_of_all_kinds(void **state) {
   assert_non_null(strstr(report.text, "positions fall"));
   expect("x_um,z_um\n0.00,1\n1.00,2\n1.00,3\n2.00,4\n3.00,5\n", NULL, 4, 1e-6, 4e-6);
   assert_non_null(strstr(report.text, ", 1 repeated positions averaged"));
-  asp_profile *p = read_text("x_um,z_um\n0.00,1\n1.00,2\n1.00,3\n2.00,4\n3.00,5\n", &o);
-  assert_near(asp_profile_heights(p)[1], 2.5e-6, 1e-12);
-  asp_profile_free(p);
+  asp_heights *p = read_text("x_um,z_um\n0.00,1\n1.00,2\n1.00,3\n2.00,4\n3.00,5\n", &o);
+  assert_near(p->z[1], 2.5e-6, 1e-12);
+  asp_heights_free(p);
   expect("x_um,z_um\n0,1\n1,2\n2,4\nRa,1.2\nend of file\n", NULL, 3, 1e-6, 4e-6);
   assert_non_null(strstr(report.text, "data end before line 5"));
   expect("\"x [um]\",\"z [um]\"\n\"0\",\"1\"\n\"1\",\"2\"\n\"2\",\"4\"\n", NULL, 3, 1e-6, 4e-6);
@@ -446,9 +429,9 @@ static void files_of_all_kinds(void **state) {
   if (!p)
     print_error("%s\n", error.text);
   assert_non_null(p);
-  assert_int_equal(asp_profile_points(p), 3);
-  assert_near(asp_profile_heights(p)[2], 4e-6, 1e-12);
-  asp_profile_free(p);
+  assert_int_equal(p->columns, 3);
+  assert_near(p->z[2], 4e-6, 1e-12);
+  asp_heights_free(p);
 }
 
 /* Columns of depths are turned over, by any order of the columns, and said so. */
@@ -507,11 +490,11 @@ static void form_is_taken_out(void **state) {
   aspi_profile_options o = aspi_profile_options_default();
   static const double r_q[] = {58.19, 7.52, 1, 1};
   for (o.form = 0; o.form < 4; o.form++) {
-    asp_profile *p = read_text(text, &o);
-    aspi_profile_description d;
-    assert_int_equal(aspi_profile_describe(p, 0.1, &d, NULL), ASP_OK);
-    assert_near(d.r_q * 1e6, r_q[o.form], 0.01 * r_q[o.form]);
-    asp_profile_free(p);
+    asp_heights *p = read_text(text, &o);
+    asp_heights_numbers d;
+    assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
+    assert_near(d.s_q * 1e6, r_q[o.form], 0.01 * r_q[o.form]);
+    asp_heights_free(p);
   }
   free(text);
 }
@@ -548,10 +531,10 @@ static void missing_rows_are_a_gap(void **state) {
   o.fill = true;
   expect(text, &o, 12, 1, 4);
   assert_int_equal(report.longest_gap, 4);
-  asp_profile *p = read_text(text, &o);
+  asp_heights *p = read_text(text, &o);
   for (int i = 3; i <= 8; i++)
-    assert_near(asp_profile_heights(p)[i], 1 + (i - 3), 1e-12);
-  asp_profile_free(p);
+    assert_near(p->z[i], 1 + (i - 3), 1e-12);
+  asp_heights_free(p);
   assert_non_null(strstr(report.text, "resampled"));
 }
 
@@ -573,18 +556,18 @@ static void spikes_are_marked_where_asked(void **state) {
   for (int i = 0; i < 200; i++)
     end += sprintf(end, "%d,%.6f\n", i, i == 77 ? 50 : sin(i * 0.2) + 0.01 * (i % 3));
   aspi_profile_options o = aspi_profile_options_default();
-  asp_profile *p = read_text(text, &o);
-  assert_true(asp_profile_heights(p)[77] > 40e-6);
-  asp_profile_free(p);
+  asp_heights *p = read_text(text, &o);
+  assert_true(p->z[77] > 40e-6);
+  asp_heights_free(p);
   o.spikes = 10;
   expect_error(text, &o, ASP_EDATA,
                "point 78 is the first of 1 spikes; fill the gaps (reader: fill 1)");
   o.fill = true;
   p = read_text(text, &o);
-  assert_near(asp_profile_heights(p)[77], sin(77 * 0.2) * 1e-6, 0.2e-6);
+  assert_near(p->z[77], sin(77 * 0.2) * 1e-6, 0.2e-6);
   assert_int_equal(report.spikes, 1);
   assert_int_equal(report.filled, 1);
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 /* Dust, heights in steps and heights that are cut off are each called what they are. */
@@ -603,20 +586,20 @@ static void warnings_have_their_names(void **state) {
              {1e-3, -1.2, 99, 0, "points have the lowest one"}};
   char *text = malloc(N * 32);
   assert_non_null(text);
-  asp_profile *p = asp_profile_create(1, 60, 1, N, 3, NULL);
+  asp_heights *p = aspi_profile_generate(1, 60, 1, N, 3, NULL);
   for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
     char *end = text + sprintf(text, "x_um,z_um\n");
     for (int i = 0; i < N; i++) {
-      double z = asp_profile_heights(p)[i] + (i == 1500 ? all[k].dust : 0);
+      double z = p->z[i] + (i == 1500 ? all[k].dust : 0);
       z = fmin(fmax(z, all[k].low), all[k].high);
       end += sprintf(end, "%d,%.6f\n", i, all[k].quantum * round(z / all[k].quantum));
     }
-    asp_profile_free(read_text(text, NULL));
+    asp_heights_free(read_text(text, NULL));
     if (all[k].name ? !strstr(report.warnings, all[k].name) : *report.warnings)
       fail_msg("case %zu: '%s'", k, report.warnings);
     assert_true(all[k].dust > 0 || !strstr(report.warnings, "dust"));
   }
-  asp_profile_free(p);
+  asp_heights_free(p);
   free(text);
   assert_int_equal(aspi_sampling_check(10, 1, 20, 1, &error), ASP_OK);
   assert_int_equal(aspi_sampling_check(9.9, 1, 20, 1, &error), ASP_ERANGE);
@@ -664,7 +647,7 @@ static void bad_files_are_named_with_their_line(void **state) {
   memset(longest, 'x', sizeof longest);
   assert_null(read_bytes(longest, sizeof longest, NULL));
   assert_non_null(strstr(error.text, "without a line of two numbers"));
-  assert_null(aspi_profile_read(NULL, "/nowhere/profile.csv", NULL, NULL, &error));
+  assert_null(aspi_read(NULL, "/nowhere/profile.csv", false, NULL, NULL, &error));
   assert_int_equal(error.code, ASP_EFILE);
   assert_non_null(strstr(error.text, "/nowhere/profile.csv"));
 }
@@ -740,24 +723,24 @@ static void readers_are_set_by_name(void **state) {
   assert_true(handle >= 0 && write(handle, text, strlen(text)) == (ssize_t)strlen(text));
   close(handle);
   reader = asp_reader_create(NULL);
-  assert_null(asp_reader_read(reader, path, &error));
+  assert_null(asp_reader_read(reader, path, false, &error));
   assert_non_null(strstr(error.text, "no unit"));
   asp_reader_set(reader, "unit_x", 1e-3, NULL);
   asp_reader_set(reader, "unit_z", 1e-6, NULL);
-  assert_null(asp_reader_read(reader, path, &error));
+  assert_null(asp_reader_read(reader, path, false, &error));
   assert_non_null(strstr(error.text, ":4: the first of 1 bad"));
   asp_reader_set(reader, "fill", 1, NULL);
   asp_reader_set(reader, "form", -1, NULL);
   asp_reader_set(reader, "meter", 1e6, NULL);
-  asp_profile *p = asp_reader_read(reader, path, &error);
+  asp_heights *p = asp_reader_read(reader, path, false, &error);
   unlink(path);
   assert_non_null(p);
-  assert_int_equal(asp_profile_points(p), 5);
-  assert_near(asp_profile_spacing(p), 1e3, 1e-9);
-  assert_near(asp_profile_heights(p)[2], 3, 1e-12);
+  assert_int_equal(p->columns, 5);
+  assert_near(p->step[0], 1e3, 1e-9);
+  assert_near(p->z[2], 3, 1e-12);
   assert_string_equal(asp_reader_text(reader),
                       "5 points read, 1 bad, 1 points filled in (longest gap 1), form left in");
-  asp_profile_free(p);
+  asp_heights_free(p);
   asp_reader_free(reader);
 }
 
@@ -766,7 +749,6 @@ int main(void) {
       cmocka_unit_test(generated_profile_has_its_numbers),
       cmocka_unit_test(the_seed_decides),
       cmocka_unit_test(generated_profile_is_periodic),
-      cmocka_unit_test(levels_of_the_autocorrelation),
       cmocka_unit_test(description_of_a_wave),
       cmocka_unit_test(bad_profiles_are_refused),
       cmocka_unit_test(heights_and_spacings_are_numbers),

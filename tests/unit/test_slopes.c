@@ -5,6 +5,7 @@
 #include "base/stream.h"
 #include "surface/closing.h"
 #include "surface/size_law.h"
+#include "surface/heights.h"
 #include "surface/slopes.h"
 
 #include <gsl/gsl_cdf.h>
@@ -73,7 +74,7 @@ static void slopes_of_a_wave(void **state) {
   enum { POINTS = 5000 };
   for (int i = 0; i < POINTS; i++)
     values[i] = 0.02 * sin(2 * ASP_PI * i / 1000.);
-  asp_profile *p = asp_profile_from_heights(values, POINTS, 0.001, true, NULL);
+  asp_heights *p = asp_heights_create(values, POINTS, 1, 0.001, 0.001, true, NULL);
   aspi_slopes s;
   assert_int_equal(aspi_profile_describe_slopes(p, 0.01, ASP_CONTACT_DILATION, &s, NULL), ASP_OK);
   assert_near(s.slope_rms, 0.02 * 2 * ASP_PI / sqrt(2), 2e-5);
@@ -83,7 +84,7 @@ static void slopes_of_a_wave(void **state) {
   assert_int_equal(aspi_profile_slopes(p, 0.01, ASP_CONTACT_DILATION, values, &count, NULL),
                    ASP_OK);
   assert_int_equal(count, POINTS);
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 /* Both forms of the size law, and the table between its nodes, against generated profiles. */
@@ -96,7 +97,7 @@ static void size_law_is_that_of_the_geometry(void **state) {
                {0.43, 5, 0.015}, {0.97, 1.2, 0.015}};
   enum { POINTS = 128 * 1024 };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    asp_profile *p = asp_profile_create(cases[i].phi_r, 1, 1. / 128, POINTS, 11, NULL);
+    asp_heights *p = aspi_profile_generate(cases[i].phi_r, 1, 1. / 128, POINTS, 11, NULL);
     asp_surface *s = asp_surface_create(cases[i].phi_r, 1, NULL);
     aspi_slopes all, some;
     aspi_profile_describe_slopes(p, 0.004, ASP_CONTACT_DILATION, &all, NULL);
@@ -105,7 +106,7 @@ static void size_law_is_that_of_the_geometry(void **state) {
     assert_near(asp_surface_slope(s, cases[i].size) / asp_surface_slope_rms(s), should,
                 cases[i].tolerance * should);
     asp_surface_free(s);
-    asp_profile_free(p);
+    asp_heights_free(p);
   }
 }
 

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
+#include "surface/heights.h"
 
 #include "spread/models.h"
 #include "spread/weibull.h"
@@ -25,11 +26,11 @@ static const double angles[] = {0, 1e-12, 0.1, 2, 10, 45, 90};
 static void *prepare(const asp_spread_model *model, double slope) {
   if (!model->prepare)
     return NULL;
-  asp_profile *profile = asp_profile_create(slope / sqrt(2), 1, 1 / 32., 8192, 3, NULL);
+  asp_heights *profile = aspi_profile_generate(slope / sqrt(2), 1, 1 / 32., 8192, 3, NULL);
   aspi_sizes sizes = {0.1, 0.4, 3};
-  const aspi_relief of = {.profile = profile};
+  const aspi_relief of = {.heights = profile};
   void *data = model->prepare(&of, &sizes, NULL);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
   assert_non_null(data);
   return data;
 }

@@ -53,8 +53,8 @@ static void instruments_numbers_come_back(void **state) {
   (void)state;
   enum { POINTS = 1 << 20, PER_LAMBDA = 32 };
   const double r_q = 5, lambda_c = 40, spacing = lambda_c / PER_LAMBDA;
-  asp_profile *profile = asp_profile_create(r_q, lambda_c, spacing, POINTS, 3, NULL);
-  const double *z = asp_profile_heights(profile);
+  asp_heights *profile = aspi_profile_generate(r_q, lambda_c, spacing, POINTS, 3, NULL);
+  const double *z = profile->z;
   double r_a = 0, slope = 0, product = 0, square = 0;
   const int lag = (int)lround(sqrt(log(5)) * PER_LAMBDA);
   for (int i = 0; i + lag < POINTS; i++) {
@@ -68,7 +68,7 @@ static void instruments_numbers_come_back(void **state) {
   assert_near(aspi_lambda_of_s_dq(r_q, sqrt(2 * slope)), lambda_c, 0.01 * lambda_c);
   assert_near(product / square, 0.2, 0.01);
   assert_near(aspi_lambda_of_s_al(lag * spacing), lambda_c, 0.02 * lambda_c);
-  asp_profile_free(profile);
+  asp_heights_free(profile);
 }
 
 /* R_Sm as another program counted it at cut-offs of 0.25, 0.8 and 2.5 mm, and back. */
@@ -198,7 +198,7 @@ static void ends_of_the_tables_are_errors(void **state) {
 static void profile_wall_has_the_profiles_slopes(void **state) {
   (void)state;
   enum { BINS = 12 };
-  asp_profile *p = asp_profile_create(0.3, 1, 0.01, 20000, 3, NULL);
+  asp_heights *p = aspi_profile_generate(0.3, 1, 0.01, 20000, 3, NULL);
   asp_surface *s = asp_surface_create_profile(p, 0.02, 20, BINS, NULL);
   assert_non_null(s);
   assert_int_equal(asp_surface_bins(s), BINS);
@@ -219,22 +219,22 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   }
   assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);
   assert_near(asp_surface_slope(s, 1e3), asp_surface_bin_slope(s, BINS - 1), 1e-12);
-  aspi_profile_description d;
-  aspi_profile_describe(p, ASP_LEVEL_1_E, &d, NULL);
-  assert_near(asp_surface_r_q(s), d.r_q, 0);
-  assert_near(asp_surface_phi_r(s), d.phi_r, 1e-15);
+  asp_heights_numbers d;
+  asp_heights_describe(p, &d, NULL);
+  assert_near(asp_surface_r_q(s), d.s_q, 0);
+  assert_near(asp_surface_phi_r(s), d.s_q / d.lambda_1, 1e-15);
   asp_surface_free(s);
   s = asp_surface_create_profile(p, 1, 4, 1, NULL);
   assert_near(asp_surface_bin_d_p(s, 0), 2, 1e-12);
   assert_near(asp_surface_slope(s, 9), asp_surface_slope(s, 0.1), 0);
   asp_surface_free(s);
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 static void bad_bins_are_named(void **state) {
   (void)state;
   asp_error error;
-  asp_profile *p = asp_profile_create(0.3, 1, 0.1, 2000, 3, NULL);
+  asp_heights *p = aspi_profile_generate(0.3, 1, 0.1, 2000, 3, NULL);
   assert_null(asp_surface_create_profile(p, 0.05, 1, 10, &error));
   assert_non_null(strstr(error.text, "spacing 0.1"));
   assert_null(asp_surface_create_profile(p, 0.5, 300, 10, &error));
@@ -244,7 +244,7 @@ static void bad_bins_are_named(void **state) {
   assert_null(asp_surface_create_profile(p, 0.5, 1, 0, &error));
   assert_non_null(strstr(error.text, "bins are 0"));
   assert_int_equal(error.code, ASP_EARG);
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 /* Lengths over 200 decades, and denormal ones: a wall whose numbers are numbers, or none. */
@@ -282,7 +282,7 @@ static void lengths_are_numbers_or_refused(void **state) {
 /* No division by zero or invalid operation on the way to a slope, for a program that traps them. */
 static void slopes_raise_no_trap(void **state) {
   (void)state;
-  asp_profile *p = asp_profile_create(0.3, 1, 0.1, 2000, 3, NULL);
+  asp_heights *p = aspi_profile_generate(0.3, 1, 0.1, 2000, 3, NULL);
   asp_surface *walls[] = {asp_surface_create(0.1, 1, NULL),
                           asp_surface_create(0.25, 1, NULL),
                           asp_surface_create(0.6, 1, NULL),
@@ -303,7 +303,7 @@ static void slopes_raise_no_trap(void **state) {
   assert_true(sum > 0);
   for (size_t w = 0; w < sizeof walls / sizeof *walls; w++)
     asp_surface_free(walls[w]);
-  asp_profile_free(p);
+  asp_heights_free(p);
 }
 
 int main(void) {

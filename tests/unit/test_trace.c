@@ -5,10 +5,9 @@
 #include "check.h"
 #include "analysis/judge.h"
 #include "spread/flight.h"
-#include "spread/line.h"
 #include "wall/wall.h"
 #include "surface/closing.h"
-#include "surface/profile.h"
+#include "surface/heights.h"
 #include "surface/size_law.h"
 
 #include <gsl/gsl_cdf.h>
@@ -17,22 +16,22 @@
 
 #define DEGREE (ASP_PI / 180)
 
-static double heights_of_one(const aspi_line *line, size_t i) {
+static double heights_of_one(const aspi_field *line, size_t i) {
   double z = 0;
   for (size_t k = 0; k < i; k++)
-    z += line->slope[k];
+    z += aspi_field_slope(line, k);
   return z;
 }
 
 /* The first face that a ray from (x, z) with slope m meets beyond face `own` (none: n), by asking
  * every face; n when there is none within two periods. Heights in points, over point 0. */
-static size_t brute(const aspi_line *line, const double *h, double x, double z, double m,
+static size_t brute(const aspi_field *line, const double *h, double x, double z, double m,
                     size_t own) {
-  size_t n = line->n, begin = (size_t)x;
+  size_t n = (size_t)line->columns, begin = (size_t)x;
   for (size_t k = begin; k < begin + 2 * n; k++) {
     if (k % n == own && k < begin + n)
       continue;
-    double from = fmax((double)k, x), p = line->slope[k % n];
+    double from = fmax((double)k, x), p = aspi_field_slope(line, k % n);
     double low = h[k % n] + p * (from - (double)k), high = h[k % n] + p;
     if (z + m * (from - x) >= low - 1e-12 && z + m * ((double)k + 1 - x) <= high + 1e-12)
       return k % n;
@@ -40,29 +39,29 @@ static size_t brute(const aspi_line *line, const double *h, double x, double z, 
   return n;
 }
 
-static aspi_line line_over(const asp_profile *profile, double d_p) {
-  aspi_line line;
-  assert_int_equal(aspi_line_over_profile(&line, profile, d_p, NULL), ASP_OK);
-  return line;
+static aspi_field field_over(const asp_heights *profile, double d_p) {
+  aspi_field field;
+  assert_int_equal(aspi_field_create(&field, profile, d_p, NULL, NULL), ASP_OK);
+  return field;
 }
 
 /* The shares of the first hits at alpha1. */
-static void weigh(const aspi_line *line, double alpha1, double *weight) {
-  aspi_line_first_hits(line, aspi_line_fall(line, alpha1), weight);
+static void weigh(const aspi_field *line, double alpha1, double *weight) {
+  aspi_field_first_hits(line, aspi_field_fall(line, alpha1), weight);
 }
 
-static double slope_rms(const aspi_line *line) {
+static double slope_rms(const aspi_field *line) {
   double square = 0;
-  for (size_t i = 0; i < line->n; i++)
-    square += line->slope[i] * line->slope[i] / (double)line->n;
+  for (size_t i = 0; i < (size_t)line->columns; i++)
+    square += aspi_field_slope(line, i) * aspi_field_slope(line, i) / (double)(size_t)line->columns;
   return sqrt(square);
 }
 
 static void first_hits_agree_with_brute_force(void **state) {
   (void)state;
-  asp_profile *profile = asp_profile_create(0.2, 1, 1 / 16., 512, 5, NULL);
-  aspi_line line = line_over(profile, 0.5); /* resolves 5 degrees */
-  size_t n = line.n;
+  asp_heights *profile = aspi_profile_generate(0.2, 1, 1 / 16., 512, 5, NULL);
+  aspi_field line = field_over(profile, 0.5); /* resolves 5 degrees */
+  size_t n = (size_t)line.columns;
   double *weight = malloc(n * sizeof *weight), *h = malloc(n * sizeof *h);
   for (size_t i = 0; i < n; i++)
     h[i] = heights_of_one(&line, i);
@@ -84,14 +83,8 @@ static void first_hits_agree_with_brute_force(void **state) {
   }
   free(weight);
   free(h);
-  aspi_line_free(&line);
-  asp_profile_free(profile);
-}
-
-static aspi_field field_over(const asp_profile *profile, double d_p) {
-  aspi_field field;
-  assert_int_equal(aspi_field_over_profile(&field, profile, d_p, NULL), ASP_OK);
-  return field;
+  aspi_field_free(&line);
+  asp_heights_free(profile);
 }
 
 /* Flies on at that elevation; `way` 1 or -1. */
@@ -105,21 +98,21 @@ static bool fly(const aspi_field *field, double elevation, int way, aspi_spot *s
 
 static void paths_agree_with_brute_force(void **state) {
   (void)state;
-  asp_profile *profile = asp_profile_create(0.3, 1, 1 / 16., 512, 6, NULL);
+  asp_heights *profile = aspi_profile_generate(0.3, 1, 1 / 16., 512, 6, NULL);
   aspi_field field = field_over(profile, 0.3);
-  aspi_line line = line_over(profile, 0.3);
-  size_t n = line.n;
+  aspi_field line = field_over(profile, 0.3);
+  size_t n = (size_t)line.columns;
   double *h = malloc(n * sizeof *h);
   for (size_t i = 0; i < n; i++)
     h[i] = heights_of_one(&line, i);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-  double shift = field.z[0] - h[0];
+  double shift = field.z[0] / field.step[0] - h[0];
   for (int i = 0; i < 5000; i++) {
     double delta, alpha = 0.2 + 1.3 * gsl_rng_uniform(rng);
     aspi_spot spot = aspi_field_enter(&field, gsl_rng_uniform(rng), 0);
     assert_true(fly(&field, -alpha, 1, &spot, &delta));
     size_t own = (size_t)spot.x[0];
-    double rise = alpha + 2 * delta, z = spot.z - shift, x = spot.x[0];
+    double rise = alpha + 2 * delta, z = spot.z / field.step[0] - shift, x = spot.x[0];
     if (!(fabs(rise) < 1.5))
       continue; /* flies back, which the mirror image covers below */
     bool hits = fly(&field, rise, 1, &spot, &delta);
@@ -129,19 +122,19 @@ static void paths_agree_with_brute_force(void **state) {
   gsl_rng_free(rng);
   free(h);
   aspi_field_free(&field);
-  aspi_line_free(&line);
-  asp_profile_free(profile);
+  aspi_field_free(&line);
+  asp_heights_free(profile);
 }
 
 /* A profile and its mirror image are the same wall for a particle that flies the other way. */
 static void flights_back_are_flights_over_the_mirror_image(void **state) {
   (void)state;
   enum { N = 1024 };
-  asp_profile *there = asp_profile_create(0.3, 1, 1 / 16., N, 7, NULL);
+  asp_heights *there = aspi_profile_generate(0.3, 1, 1 / 16., N, 7, NULL);
   double mirrored[N];
   for (int i = 0; i < N; i++)
-    mirrored[i] = asp_profile_heights(there)[N - 1 - i];
-  asp_profile *back = asp_profile_from_heights(mirrored, N, 1 / 16., true, NULL);
+    mirrored[i] = there->z[N - 1 - i];
+  asp_heights *back = asp_heights_create(mirrored, N, 1, 1 / 16., 1 / 16., true, NULL);
   aspi_field one = field_over(there, 0), other = field_over(back, 0);
   for (int i = 0; i < 2000; i++) {
     double da, db, alpha = 0.02 + 0.0007 * i;
@@ -157,8 +150,8 @@ static void flights_back_are_flights_over_the_mirror_image(void **state) {
   }
   aspi_field_free(&one);
   aspi_field_free(&other);
-  asp_profile_free(there);
-  asp_profile_free(back);
+  asp_heights_free(there);
+  asp_heights_free(back);
 }
 
 /* Rebound angles and shares of later hits that an independent tracer found (phi_r 0.125, d_p =
@@ -193,21 +186,22 @@ static void discs_roll_over_curves(void **state) {
     double x = 2 * ASP_PI * i / (N * FINE);
     z[i] = 0.0016 * sin(17 * x) + 0.0008 * cos(31 * x + 1) + 0.0004 * sin(43 * x);
   }
-  asp_profile *fine = asp_profile_from_heights(z, N * FINE, 1. / (N * FINE), true, NULL);
+  asp_heights *fine =
+      asp_heights_create(z, N * FINE, 1, 1. / (N * FINE), 1. / (N * FINE), true, NULL);
   for (int i = 0; i < N; i++)
     z[i] = z[i * FINE];
-  asp_profile *coarse = asp_profile_from_heights(z, N, 1. / N, true, NULL);
+  asp_heights *coarse = asp_heights_create(z, N, 1, 1. / N, 1. / N, true, NULL);
   for (double d_p = 0.002; d_p < 1; d_p *= 3) {
-    asp_profile *rolled = aspi_profile_rolled(coarse, d_p, 1, NULL);
+    asp_heights *rolled = aspi_profile_rolled(coarse, d_p, 1, NULL);
     aspi_profile_dilate(fine, d_p, path, NULL);
     for (int i = 0; i < N; i++)
-      off = fmax(off, fabs(asp_profile_heights(rolled)[i] - path[i * FINE]));
-    asp_profile_free(rolled);
+      off = fmax(off, fabs(rolled->z[i] - path[i * FINE]));
+    asp_heights_free(rolled);
   }
   print_message("rolled, off by %.2g of a height of 0.0016\n", off);
   assert_true(off < 2e-5);
-  asp_profile_free(fine);
-  asp_profile_free(coarse);
+  asp_heights_free(fine);
+  asp_heights_free(coarse);
   free(z);
   free(path);
 }
@@ -216,29 +210,29 @@ static void discs_roll_over_curves(void **state) {
  * `across` points across a particle of 1; one wall for all of them. */
 enum { ACROSS_FINE = 1024 };
 
-static asp_profile *plateau(double lambda_c, int across) {
+static asp_heights *plateau(double lambda_c, int across) {
   enum { N = 1 << 18 };
   double r_q = lambda_c / 8;
-  asp_profile *gauss = asp_profile_create(r_q, lambda_c, 1. / ACROSS_FINE, N, 3, NULL);
+  asp_heights *gauss = aspi_profile_generate(r_q, lambda_c, 1. / ACROSS_FINE, N, 3, NULL);
   size_t step = (size_t)(ACROSS_FINE / across), n = N / step;
   double *z = malloc(n * sizeof *z);
   for (size_t i = 0; i < n; i++)
-    z[i] = -1.3 * r_q * log1p(exp(0.6 - 1.4 / r_q * asp_profile_heights(gauss)[i * step]));
-  asp_profile *measured = asp_profile_from_heights(z, n, 1. / across, false, NULL);
+    z[i] = -1.3 * r_q * log1p(exp(0.6 - 1.4 / r_q * gauss->z[i * step]));
+  asp_heights *measured = asp_heights_create(z, n, 1, 1. / across, 1. / across, false, NULL);
   free(z);
-  asp_profile_free(gauss);
+  asp_heights_free(gauss);
   return measured;
 }
 
 /* Shares of the rebound angle in bins of one degree, by the first hits. */
-static void count_rebounds(const aspi_line *line, double alpha1, double share[180]) {
-  size_t n = line->n;
+static void count_rebounds(const aspi_field *line, double alpha1, double share[180]) {
+  size_t n = (size_t)line->columns;
   double *weight = malloc(n * sizeof *weight);
   memset(share, 0, 180 * sizeof *share);
   weigh(line, alpha1, weight);
   for (size_t i = 0; i < n; i++)
     if (weight[i] > 0)
-      share[(int)fmax(0, (alpha1 + 2 * atan(line->slope[i])) / DEGREE)] += weight[i];
+      share[(int)fmax(0, (alpha1 + 2 * atan(aspi_field_slope(line, i))) / DEGREE)] += weight[i];
   free(weight);
 }
 
@@ -255,9 +249,9 @@ static const double few[] = {2, 10, 40};
 /* Few points across a particle, against the dilation of very many: no comb of tilts, and the
  * same slope. */
 static void compare_few(double lambda_c, int across, double reference[3][180], double slope) {
-  asp_profile *measured = plateau(lambda_c, across);
+  asp_heights *measured = plateau(lambda_c, across);
   asp_surface *surface = asp_surface_create_profile(measured, 1, 1, 1, NULL);
-  aspi_line line = line_over(measured, 1);
+  aspi_field line = field_over(measured, 1);
   for (int k = 0; k < 3; k++) {
     double share[180], kl;
     count_rebounds(&line, few[k] * DEGREE, share);
@@ -268,27 +262,28 @@ static void compare_few(double lambda_c, int across, double reference[3][180], d
   }
   assert_near(slope_rms(&line), slope, 0.01 * slope);
   assert_near(asp_surface_slope(surface, 1), slope, 0.01 * slope);
-  aspi_line_free(&line);
+  aspi_field_free(&line);
   asp_surface_free(surface);
-  asp_profile_free(measured);
+  asp_heights_free(measured);
 }
 
 static void few_points_across_are_enough(void **state) {
   (void)state;
   for (double lambda_c = 0.5; lambda_c < 3; lambda_c *= 4) {
-    asp_profile *fine = plateau(lambda_c, ACROSS_FINE);
-    size_t n = asp_profile_points(fine);
+    asp_heights *fine = plateau(lambda_c, ACROSS_FINE);
+    size_t n = fine->columns;
     double *path = malloc(n * sizeof *path), reference[3][180];
     assert_int_equal(aspi_profile_dilate(fine, 1, path, NULL), ASP_OK);
-    asp_profile *dilated = asp_profile_from_heights(path, n, 1. / ACROSS_FINE, false, NULL);
-    aspi_line line = line_over(dilated, 0);
+    asp_heights *dilated =
+        asp_heights_create(path, n, 1, 1. / ACROSS_FINE, 1. / ACROSS_FINE, false, NULL);
+    aspi_field line = field_over(dilated, 0);
     for (int k = 0; k < 3; k++)
       count_rebounds(&line, few[k] * DEGREE, reference[k]);
     for (int across = 8; across <= 16; across *= 2)
       compare_few(lambda_c, across, reference, slope_rms(&line));
-    aspi_line_free(&line);
-    asp_profile_free(dilated);
-    asp_profile_free(fine);
+    aspi_field_free(&line);
+    asp_heights_free(dilated);
+    asp_heights_free(fine);
     free(path);
   }
 }
@@ -299,7 +294,7 @@ static void few_points_across_judge_as_many(void **state) {
   (void)state;
   double share[2][ASPI_ANGLE_BINS], mean[2];
   for (int many = 0; many < 2; many++) {
-    asp_profile *measured = plateau(2, many ? ACROSS_FINE : 16);
+    asp_heights *measured = plateau(2, many ? ACROSS_FINE : 16);
     aspi_judge_case subject = {.r_q = 0.25,
                                .lambda_c = 2,
                                .d_p = 1,
@@ -312,7 +307,7 @@ static void few_points_across_judge_as_many(void **state) {
     memcpy(share[many], judge.first->share, sizeof share[many]);
     mean[many] = judge.first->mean / DEGREE;
     aspi_judge_free(&judge);
-    asp_profile_free(measured);
+    asp_heights_free(measured);
   }
   double kl = divergence(share[1], share[0], ASPI_ANGLE_BINS);
   print_message("judged: first hits, D_KL %.5f, means %.3f and %.3f deg\n", kl, mean[0], mean[1]);
@@ -333,22 +328,22 @@ static void ensembles_agree_with_their_table(void **state) {
            slope = sqrt(2) * phi_r * aspi_closed_form(kappas[k]);
     double below[4][SLOPES] = {{0}}, mean[4] = {0};
     for (int p = 0; p < 2 * PROFILES; p++) {
-      asp_profile *profile = aspi_profile_create_scaled(
+      asp_heights *profile = aspi_profile_generate_scaled(
           phi_r, 1, 1 / 48., POINTS, 500 + (uint32_t)p / 2, p % 2 ? -1 : 1, NULL);
-      asp_profile *path = aspi_profile_rolled(profile, d_p, 1, NULL);
-      aspi_line line = line_over(path, 0);
+      asp_heights *path = aspi_profile_rolled(profile, d_p, 1, NULL);
+      aspi_field line = field_over(path, 0);
       for (int a = 0; a < 4; a++) {
         weigh(&line, atan(as[a] * slope), weight);
         for (size_t i = 0; i < POINTS; i++) {
-          double x = line.slope[i] / slope;
+          double x = aspi_field_slope(&line, i) / slope;
           mean[a] += weight[i] * x / (2 * PROFILES);
           for (int n = 0; n < SLOPES && weight[i] > 0; n++)
             below[a][n] += x < 0.5 * n - 1 ? weight[i] / (2 * PROFILES) : 0;
         }
       }
-      aspi_line_free(&line);
-      asp_profile_free(path);
-      asp_profile_free(profile);
+      aspi_field_free(&line);
+      asp_heights_free(path);
+      asp_heights_free(profile);
     }
     for (int a = 0; a < 4; a++) {
       aspi_view view = {
@@ -371,34 +366,34 @@ static void ensembles_agree_with_their_table(void **state) {
 static void bad_sizes_are_named(void **state) {
   (void)state;
   asp_error error;
-  asp_profile *profile = asp_profile_create(0.1, 1, 1 / 16., 1024, 1, NULL);
+  asp_heights *profile = aspi_profile_generate(0.1, 1, 1 / 16., 1024, 1, NULL);
   static const aspi_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
                                    {1, NAN, 2}, {1, 2, 0},   {1, 2, 100000}};
-  const aspi_relief of = {.profile = profile};
+  const aspi_relief of = {.heights = profile};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     assert_null(aspi_spread_traced.prepare(&of, &bad[i], &error));
     assert_int_equal(error.code, ASP_EARG);
     assert_non_null(strstr(error.text, "d_p"));
   }
   aspi_field field;
-  assert_int_equal(aspi_field_over_profile(&field, profile, -1, &error), ASP_EARG);
-  assert_int_equal(aspi_field_over_profile(&field, profile, 1e9, &error), ASP_EARG);
-  asp_profile_free(profile);
+  assert_int_equal(aspi_field_create(&field, profile, -1, NULL, &error), ASP_EARG);
+  assert_int_equal(aspi_field_create(&field, profile, 1e9, NULL, &error), ASP_EARG);
+  asp_heights_free(profile);
 }
 
 /* A measured profile, which does not repeat, goes on as its mirror image. */
 static void measured_profiles(void **state) {
   (void)state;
   static const double heights[] = {0, 1, 3, 2, 5, 4, 4.5, 1, 0.5, 2};
-  asp_profile *profile = asp_profile_from_heights(heights, 10, 1, false, NULL);
-  aspi_line line = line_over(profile, 0);
-  assert_int_equal(line.n, 18);
+  asp_heights *profile = asp_heights_create(heights, 10, 1, 1, 1, false, NULL);
+  aspi_field line = field_over(profile, 0);
+  assert_int_equal((size_t)line.columns, 18);
   for (size_t i = 0; i < 9; i++) {
-    assert_near(line.slope[i], heights[i + 1] - heights[i], 1e-12);
-    assert_near(line.slope[17 - i], heights[i] - heights[i + 1], 1e-12);
+    assert_near(aspi_field_slope(&line, i), heights[i + 1] - heights[i], 1e-12);
+    assert_near(aspi_field_slope(&line, 17 - i), heights[i] - heights[i + 1], 1e-12);
   }
-  aspi_line_free(&line);
-  asp_profile_free(profile);
+  aspi_field_free(&line);
+  asp_heights_free(profile);
 }
 
 int main(void) {

@@ -77,9 +77,8 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "description_material": (_P, _P, c_int), "material_get": (_D, _P, _S),
     "doubt": (c_bool, _P, c_int, _P, _N),
     "description_needs_sizes": (c_bool, _P), "description_check_pair": (c_int, _P, _E),
-    "description_set_profile": (c_int, _P, _P, _E), "description_set_map": (c_int, _P, _P, _E),
-    "profile_from_heights": (_P, _P, _N, _D, c_bool, _E), "profile_free": (None, _P),
-    "map_from_heights": (_P, _P, _N, _N, _D, _D, c_bool, _E), "map_free": (None, _P),
+    "description_set_heights": (c_int, _P, _P, _E), "heights_free": (None, _P),
+    "heights_create": (_P, _P, _N, _N, _D, _D, c_bool, _E),
     "wall_create": (_P, _P, _D, _D, _E), "wall_free": (None, _P), "wall_pair": (_P, _P),
     "wall_surface": (_P, _P), "surface_check": (c_int, _P, _D, _E),
     "surface_r_q": (_D, _P), "surface_lambda_c": (_D, _P), "surface_lambda_along": (_D, _P),
@@ -197,15 +196,10 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         return handle
 
     def _set_heights(self, heights: NDArray[Any], step: NDArray[Any], periodic: bool) -> None:
-        if heights.ndim == 2:
-            z = np.ascontiguousarray(heights, dtype=np.float32)
-            made = _call("map_from_heights", z.ctypes.data, z.shape[1], z.shape[0], step[0],
-                         step[-1], periodic)
-            _call("description_set_map", self._words, self._own("map", made))
-        else:
-            z = np.ascontiguousarray(heights, dtype=np.float64).ravel()
-            made = _call("profile_from_heights", z.ctypes.data, z.size, step[0], periodic)
-            _call("description_set_profile", self._words, self._own("profile", made))
+        z = np.atleast_2d(np.ascontiguousarray(heights, dtype=np.float64))
+        made = _call("heights_create", z.ctypes.data, z.shape[1], z.shape[0], step[0], step[-1],
+                     periodic)
+        _call("description_set_heights", self._words, self._own("heights", made))
 
     def _doubts(self) -> Iterator[str]:
         """What looks like a mistake in the wall's words, its file, and its constants."""

@@ -1,13 +1,15 @@
-/* A profile: equally spaced heights. A Gaussian one is made (Garcia & Stoll 1984, secondary source)
- * from white noise filtered with exp(-2 x^2/lambda_c^2), whose own autocorrelation is
- * exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT on a power of two that holds the noise
- * and its periodic continuation, so that any number of points costs the same per point.
+/* Heights of a wall at equal spacing, along a line or over an area. A Gaussian profile is made
+ * (Garcia & Stoll 1984, secondary source) from white noise filtered with exp(-2 x^2/lambda_c^2),
+ * whose own autocorrelation is exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT on a power
+ * of two that holds the noise and its periodic continuation, so that any number of points costs the
+ * same per point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/profile.h"
+#include "surface/heights.h"
 #include "base/error.h"
 #include "base/stream.h"
 
+#include <gsl/gsl_fft_complex.h>
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
@@ -22,23 +24,22 @@
 #define PHI_R_MOST 100.0
 #define HEIGHT_MOST 1e100 /* spacings; squares of it do not overflow */
 
-struct asp_profile {
-  size_t points;
-  double spacing;
-  bool periodic;
-  double *heights;
-};
-
-asp_profile *aspi_profile_adopt(double *heights, size_t points, double spacing, bool periodic,
-                                asp_error *error) {
-  asp_profile *profile = heights ? malloc(sizeof *profile) : NULL;
-  if (!profile) {
-    free(heights);
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a profile of %zu points", points);
+asp_heights *aspi_heights_adopt(double *z, size_t columns, size_t rows, const double step[2],
+                                bool periodic, asp_error *error) {
+  asp_heights *heights = z ? malloc(sizeof *heights) : NULL;
+  if (!heights) {
+    free(z);
+    aspi_fail(error, ASP_ENOMEM, "out of memory for a %s of %zu x %zu points",
+              aspi_kind_of_rows(rows), columns, rows);
     return NULL;
   }
-  *profile = (asp_profile){points, spacing, periodic, heights};
-  return profile;
+  *heights = (asp_heights){columns, rows, {step[0], step[1]}, periodic, z};
+  return heights;
+}
+
+asp_heights *aspi_profile_adopt(double *z, size_t points, double spacing, bool periodic,
+                                asp_error *error) {
+  return aspi_heights_adopt(z, points, 1, (const double[2]){spacing, spacing}, periodic, error);
 }
 
 size_t aspi_power_of_two(size_t least) {
@@ -103,21 +104,21 @@ static asp_code check_generated(double r_q, double lambda_c, double spacing, siz
     return aspi_fail(error, ASP_EARG,
                      "a profile of %zu points is %g long; it must be at least 20 lambda_c = %g",
                      points, (double)points * spacing, LENGTH_LEAST * lambda_c);
-  if (points > ASP_FFT_MOST)
+  if (points > ASP_POINTS_MOST)
     return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
-                     ASP_FFT_MOST);
+                     ASP_POINTS_MOST);
   return ASP_OK;
 }
 
-asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, size_t points,
-                                uint32_t seed, asp_error *error) {
+asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
+                                   uint32_t seed, asp_error *error) {
   if (check_generated(r_q, lambda_c, spacing, points, error))
     return NULL;
   double step = spacing / lambda_c;
   size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(points + 2 * reach);
-  if (n > ASP_FFT_MOST) {
+  if (n > ASP_POINTS_MOST) {
     aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
-              ASP_FFT_MOST - 2 * reach);
+              ASP_POINTS_MOST - 2 * reach);
     return NULL;
   }
   double *data = aspi_allocate(n), *kernel = aspi_allocate(n), *heights = aspi_allocate(points);
@@ -138,13 +139,14 @@ asp_profile *asp_profile_create(double r_q, double lambda_c, double spacing, siz
   return aspi_profile_adopt(heights, points, spacing, true, error);
 }
 
-asp_profile *aspi_profile_create_scaled(double r_q, double lambda_c, double spacing, size_t points,
-                                        uint32_t seed, int sign, asp_error *error) {
-  asp_profile *profile = asp_profile_create(r_q, lambda_c, spacing, points, seed, error);
+asp_heights *aspi_profile_generate_scaled(double r_q, double lambda_c, double spacing,
+                                          size_t points, uint32_t seed, int sign,
+                                          asp_error *error) {
+  asp_heights *profile = aspi_profile_generate(r_q, lambda_c, spacing, points, seed, error);
   if (!profile)
     return NULL;
   double step = spacing / lambda_c, mean = -2 * r_q * r_q * expm1(-step * step), found = 0;
-  double *z = profile->heights;
+  double *z = profile->z;
   for (size_t i = 0; i < points; i++) {
     double rise = z[i + 1 < points ? i + 1 : 0] - z[i];
     found += rise * rise / (double)points;
@@ -155,53 +157,80 @@ asp_profile *aspi_profile_create_scaled(double r_q, double lambda_c, double spac
   return profile;
 }
 
-asp_profile *asp_profile_from_heights(const double *heights, size_t points, double spacing,
-                                      bool periodic, asp_error *error) {
-  if (aspi_check_length(error, "spacing", spacing))
+asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
+                                double step_y, bool periodic, asp_error *error) {
+  if (aspi_check_length(error, "step_x", step_x) ||
+      (rows > 1 && aspi_check_length(error, "step_y", step_y)))
     return NULL;
-  if (!heights || points < ASP_POINTS_LEAST) {
-    aspi_fail(error, ASP_EARG, "a profile has %zu points; it must have at least %d",
-              heights ? points : 0, ASP_POINTS_LEAST);
+  if (!z || columns < ASP_SIDE_LEAST || !rows || (rows > 1 && rows < ASP_SIDE_LEAST) ||
+      columns > ASP_POINTS_MOST / rows) {
+    aspi_fail(error, ASP_EARG,
+              "a wall has %zu x %zu points; a row must have at least %d of them, a map as many "
+              "rows, and all together at most %zu",
+              z ? columns : 0, rows, ASP_SIDE_LEAST, ASP_POINTS_MOST);
     return NULL;
   }
-  for (size_t i = 0; i < points; i++)
-    if (!(fabs(heights[i]) <= HEIGHT_MOST * spacing)) {
-      aspi_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g spacings", i,
-                heights[i], HEIGHT_MOST);
+  for (size_t i = 0; i < columns * rows; i++)
+    if (!(fabs(z[i]) <= HEIGHT_MOST * step_x)) {
+      aspi_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g spacings", i, z[i],
+                HEIGHT_MOST);
       return NULL;
     }
-  double *copy = aspi_allocate(points);
+  double *copy = aspi_allocate(columns * rows);
   if (copy)
-    memcpy(copy, heights, points * sizeof *copy);
-  return aspi_profile_adopt(copy, points, spacing, periodic, error);
+    memcpy(copy, z, columns * rows * sizeof *copy);
+  return aspi_heights_adopt(copy, columns, rows, (const double[2]){step_x, step_y}, periodic,
+                            error);
 }
 
-asp_profile *aspi_profile_mirrored(const asp_profile *profile, asp_error *error) {
-  size_t points = profile->points;
+void asp_heights_free(asp_heights *heights) {
+  if (heights)
+    free(heights->z);
+  free(heights);
+}
+
+asp_heights *aspi_profile_mirrored(const asp_heights *profile, asp_error *error) {
+  size_t points = profile->columns;
   double *heights = aspi_allocate(points);
   for (size_t i = 0; heights && i < points; i++)
-    heights[i] = profile->heights[points - 1 - i];
-  return aspi_profile_adopt(heights, points, profile->spacing, profile->periodic, error);
+    heights[i] = profile->z[points - 1 - i];
+  return aspi_profile_adopt(heights, points, profile->step[0], profile->periodic, error);
 }
 
-void asp_profile_free(asp_profile *profile) {
-  if (profile)
-    free(profile->heights);
-  free(profile);
+aspi_extent aspi_heights_extent(const asp_heights *h) {
+  double length = (double)h->columns * h->step[0];
+  return h->rows > 1 ? (aspi_extent){fmax(h->step[0], h->step[1]),
+                                     fmin(length, (double)h->rows * h->step[1])}
+                     : (aspi_extent){h->step[0], length};
 }
 
-size_t asp_profile_points(const asp_profile *profile) {
-  return profile->points;
+/* ---- Fourier transforms of maps ---- */
+
+/* Columns that are gathered, transformed and put back at a time: a cache line. */
+enum { GATHERED = 4 };
+
+size_t aspi_fft2_room(size_t rows) {
+  return 2 * GATHERED * rows;
 }
 
-double asp_profile_spacing(const asp_profile *profile) {
-  return profile->spacing;
+static void transform(double *data, size_t n, bool backward) {
+  if (backward)
+    gsl_fft_complex_radix2_backward(data, 1, n);
+  else
+    gsl_fft_complex_radix2_forward(data, 1, n);
 }
 
-bool aspi_profile_periodic(const asp_profile *profile) {
-  return profile->periodic;
-}
-
-const double *asp_profile_heights(const asp_profile *profile) {
-  return profile->heights;
+void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room) {
+  for (size_t j = 0; j < rows; j++)
+    transform(data + 2 * j * columns, columns, backward);
+  for (size_t i = 0; i < columns && rows > 1; i += GATHERED) {
+    for (size_t j = 0; j < rows; j++)
+      for (size_t k = 0; k < GATHERED; k++)
+        memcpy(room + 2 * (k * rows + j), data + 2 * (j * columns + i + k), 2 * sizeof *data);
+    for (size_t k = 0; k < GATHERED; k++)
+      transform(room + 2 * k * rows, rows, backward);
+    for (size_t j = 0; j < rows; j++)
+      for (size_t k = 0; k < GATHERED; k++)
+        memcpy(data + 2 * (j * columns + i + k), room + 2 * (k * rows + j), 2 * sizeof *data);
+  }
 }

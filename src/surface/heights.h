@@ -1,0 +1,68 @@
+/* Heights of a wall inside the core.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SURFACE_HEIGHTS_H
+#define ASP_SURFACE_HEIGHTS_H
+
+#include "asperity_internal.h"
+
+/* Row after row, x along a row. A profile is a map of one row, as long across as you like. */
+struct asp_heights {
+  size_t columns, rows;
+  double step[2]; /* between columns, between rows */
+  bool periodic;
+  double *z;
+};
+
+/* Points of a side, of which a profile has one only, and of all. GSL's FFT by powers of two shifts
+ * an int. */
+enum { ASP_SIDE_LEAST = 3 };
+#define ASP_POINTS_MOST ((size_t)1 << 30)
+
+/* "profile" or "map". */
+static inline const char *aspi_kind_of_rows(size_t rows) {
+  return rows > 1 ? "map" : "profile";
+}
+
+/* The widest spacing and the shortest side. */
+typedef struct aspi_extent {
+  double spacing, length;
+} aspi_extent;
+aspi_extent aspi_heights_extent(const asp_heights *heights);
+
+/* Uninitialized room for numbers, or NULL. */
+double *aspi_allocate(size_t count);
+
+/* Heights that take over `z` (from malloc; NULL counts as out of memory), and free it when this
+ * fails. */
+asp_heights *aspi_heights_adopt(double *z, size_t columns, size_t rows, const double step[2],
+                                bool periodic, asp_error *error);
+asp_heights *aspi_profile_adopt(double *z, size_t points, double spacing, bool periodic,
+                                asp_error *error);
+
+/* A Gaussian profile (Garcia & Stoll 1984, secondary source): white noise filtered so that the
+ * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. Of any number of points, but at least 20
+ * lambda_c long and at most lambda_c/4 apart. r_q and lambda_c are those of the ensemble: a sample
+ * has them within its sampling error. The same seed gives the same profile. */
+asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
+                                   uint32_t seed, asp_error *error);
+
+/* The same with its heights scaled so that the mean square of the differences between neighbors is
+ * that of the ensemble, times `sign`, 1 or -1: the negative of a realization is another one. With
+ * flights in both directions, these take most of the sampling error of a short profile out of the
+ * law of the first hit. */
+asp_heights *aspi_profile_generate_scaled(double r_q, double lambda_c, double spacing,
+                                          size_t points, uint32_t seed, int sign, asp_error *error);
+
+/* The wall as particles see it that fly the other way along x. */
+asp_heights *aspi_profile_mirrored(const asp_heights *profile, asp_error *error);
+
+/* The least power of two that is at least that. */
+size_t aspi_power_of_two(size_t least);
+
+/* GSL's complex FFT over rows and columns of 2^k points each, in place and without a norm; backward
+ * with the positive sign. `room` is for aspi_fft2_room(rows) numbers. */
+size_t aspi_fft2_room(size_t rows);
+void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room);
+
+#endif
