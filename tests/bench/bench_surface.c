@@ -8,6 +8,7 @@
 #include "spread/flight.h"
 #include "spread/models.h"
 #include "surface/closing.h"
+#include "surface/heights.h"
 
 #include <math.h>
 
@@ -162,7 +163,7 @@ static void compare_first_hits(void) {
 
 static void set_ups(void *context, size_t n) {
   const asp_spread_model *model = asp_spread_find("traced", NULL);
-  const aspi_relief of = {.profile = context};
+  const aspi_relief of = {.heights = context};
   aspi_sizes sizes = {0.1, 1, 16};
   for (size_t i = 0; i < n; i++) {
     void *data = model->prepare(&of, &sizes, NULL);

@@ -57,7 +57,7 @@ static asp_wall *measured(const gauss_wall *of, double d_p) {
   must(map, &error);
   map->periodic = false;
   asp_description *words = asp_description_parse("surface map generated " LAW, NULL, &error);
-  must(words && !asp_description_set_map(words, map, &error), &error);
+  must(words && !asp_description_set_heights(words, map, &error), &error);
   asp_wall *wall = asp_wall_create(words, d_p, d_p, &error);
   must(wall, &error);
   asp_description_free(words);
