@@ -26,25 +26,15 @@ static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
   }
 }
 
-/* Fields that are numbers; -1 where there are none but empty ones. */
-static int numbers_of(char **fields, int count) {
-  int numbers = 0;
+/* Cuts the line at hand into fields; true if one of them is a number. */
+static bool cut(aspi_csv *csv) {
+  double value;
   bool any = false;
-  for (int i = 0; i < count; i++) {
-    double value;
-    any = any || *fields[i];
-    numbers += aspi_text_number(fields[i], &value) == ASP_WORD_NUMBER;
-  }
-  return any ? numbers : -1;
-}
-
-#define FIELDS "%d fields under %d column names%s"
-
-/* What may be wrong where a row has too many fields. */
-static const char *commas(const aspi_csv *csv, int count) {
-  return csv->separator == ',' && count > csv->columns
-             ? " (decimal commas need ; or tabs between the fields)"
-             : "";
+  csv->separator = csv->forced ? csv->separator : aspi_text_separator(csv->text.text);
+  csv->count = aspi_text_split(csv->text.text, csv->separator, csv->fields, ASP_CSV_COLUMNS);
+  for (int i = 0; i < csv->count && !any; i++)
+    any = aspi_text_number(csv->fields[i], &value) == ASP_WORD_NUMBER;
+  return any;
 }
 
 /* A unit as a line of units has them, in brackets or bare. */
@@ -55,66 +45,20 @@ static bool is_unit(const char *field) {
          aspi_unit_find(NULL, field, length, false);
 }
 
-/* The lines above the data: the last two without numbers, the very last first, cut into fields; and
- * what is wrong with the first number found where a column name should be. */
-typedef struct above {
-  char line[2][ASP_TEXT_MOST], copy[2][ASP_TEXT_MOST], *name[2][ASP_CSV_COLUMNS];
-  int count[2];
-  char wrong[240];
-  size_t wrong_line;
-} above;
-
-/* Takes the names from the line above the first row, or from the one above a line of units, which
- * are put behind them. The number of names. */
-static int take_names(aspi_csv *csv, above *a) {
-  for (int k = 0; k < 2; k++) {
-    strcpy(a->copy[k], a->line[k]);
-    a->count[k] =
-        *a->copy[k] ? aspi_text_names(a->copy[k], csv->separator, a->name[k], ASP_CSV_COLUMNS) : 0;
-  }
-  bool units = a->count[0] > 0 && a->count[1] == a->count[0];
-  for (int i = 0; i < a->count[0]; i++)
-    units = units && is_unit(a->name[0][i]);
-  char *out = csv->header;
-  csv->columns = a->count[units];
+/* Takes the names from the line above the first row, or from the one above a line of units. */
+static void take_names(aspi_csv *csv) {
+  char *upper[ASP_CSV_COLUMNS];
+  int count = aspi_text_names(csv->above[1], csv->separator, upper, ASP_CSV_COLUMNS);
+  csv->columns = *csv->above[0]
+                     ? aspi_text_names(csv->above[0], csv->separator, csv->names, ASP_CSV_COLUMNS)
+                     : 0;
+  bool units = csv->columns > 0 && count == csv->columns;
+  for (int i = 0; i < csv->columns; i++)
+    units = units && is_unit(csv->names[i]);
   for (int i = 0; i < csv->columns; i++) {
-    bool has_unit = units && *a->name[0][i];
-    csv->names[i] = out;
-    out += sprintf(out, "%s%s%s", a->name[units][i], has_unit ? " " : "",
-                   has_unit ? a->name[0][i] : "") +
-           1;
+    csv->units[i] = units ? csv->names[i] : "";
+    csv->names[i] = units ? upper[i] : csv->names[i];
   }
-  return csv->columns;
-}
-
-/* Takes in a line above the data; true where it is the first one of them. */
-static bool is_data(aspi_csv *csv, above *a) {
-  char copy[ASP_TEXT_MOST], *fields[ASP_CSV_COLUMNS];
-  const char *line = csv->text.text;
-  csv->separator = csv->forced ? csv->separator : aspi_text_separator(line);
-  strcpy(copy, line);
-  int count = aspi_text_split(copy, csv->separator, fields, ASP_CSV_COLUMNS);
-  int numbers = numbers_of(fields, count);
-  if (numbers <= 0) {
-    strcpy(a->line[1], a->line[0]);
-    strcpy(a->line[0], numbers < 0 ? "" : line);
-    return false;
-  }
-  int named = take_names(csv, a);
-  if (named == count)
-    return true;
-  if (!*a->wrong) {
-    a->wrong_line = csv->text.line;
-    if (named > 0)
-      snprintf(a->wrong, sizeof a->wrong, FIELDS, count, named, commas(csv, count));
-    else
-      snprintf(a->wrong, sizeof a->wrong,
-               "'%.40s' stands where a column name is expected; the line above the first numbers "
-               "must name the columns",
-               fields[0]);
-  }
-  *a->line[0] = *a->line[1] = '\0';
-  return false;
 }
 
 /* `sep=;`, as spreadsheets understand it. */
@@ -126,31 +70,54 @@ static bool take_separator(aspi_csv *csv) {
   return csv->forced = true;
 }
 
+static asp_code check_count(const aspi_csv *csv, asp_error *error) {
+  if (csv->columns == 0)
+    return aspi_text_fail(&csv->text, csv->text.line, error,
+                          "'%.40s' stands where a column name is expected; the line above the "
+                          "first numbers must name the columns",
+                          csv->fields[0]);
+  if (csv->count == csv->columns)
+    return ASP_OK;
+  return aspi_text_fail(&csv->text, csv->text.line, error, "%d fields under %d column names%s",
+                        csv->count, csv->columns,
+                        csv->separator == ',' && csv->count > csv->columns
+                            ? " (decimal commas need ; or tabs between the fields)"
+                            : "");
+}
+
 /* Titles, the line of names, and a line of units below it, up to the first row. */
 static asp_code read_header(aspi_csv *csv, asp_error *error) {
-  above *a = calloc(1, sizeof *a);
+  asp_error wrong = {ASP_OK, ""}; /* with the first number that is no row's */
+  asp_code code = ASP_OK;
   bool found = true, any = false;
-  asp_code code = a ? ASP_OK : aspi_fail(error, ASP_ENOMEM, "out of memory for a table's header");
-  while (!code && !csv->has_row && !(code = next_line(csv, &found, error)) && found) {
+  while (!csv->has_row && !(code = next_line(csv, &found, error)) && found) {
+    char line[ASP_TEXT_MOST];
     any = true;
-    csv->has_row = !take_separator(csv) && is_data(csv, a);
+    if (take_separator(csv))
+      continue;
+    strcpy(line, csv->text.text);
+    bool number = cut(csv);
+    if (number) {
+      take_names(csv);
+      csv->has_row = !check_count(csv, wrong.code ? NULL : &wrong);
+    }
+    if (!csv->has_row) {
+      strcpy(csv->above[1], number ? "" : csv->above[0]);
+      strcpy(csv->above[0], number ? "" : line);
+    }
   }
   if (!code && !any)
     code = aspi_text_fail(&csv->text, csv->text.line, error, "the file ends without column names");
-  else if (!code && !csv->has_row && *a->wrong)
-    code = aspi_text_fail(&csv->text, a->wrong_line, error, "%s", a->wrong);
-  else if (!code && !csv->has_row) {
-    csv->separator = csv->forced ? csv->separator : aspi_text_separator(a->line[0]);
-    *a->line[1] = '\0';
-    take_names(csv, a);
-  }
-  free(a);
+  else if (!code && !csv->has_row && wrong.code)
+    code = aspi_fail(error, wrong.code, "%s", wrong.text);
+  else if (!code && !csv->has_row)
+    take_names(csv);
   return code;
 }
 
 aspi_csv *aspi_csv_open(const char *path, asp_error *error) {
   FILE *stream = aspi_file_open(path, error);
-  aspi_csv *csv = stream ? malloc(sizeof *csv) : NULL;
+  aspi_csv *csv = stream ? calloc(1, sizeof *csv) : NULL;
   if (stream && !csv) {
     fclose(stream);
     aspi_fail(error, ASP_ENOMEM, "out of memory for the table '%s'", path);
@@ -158,9 +125,7 @@ aspi_csv *aspi_csv_open(const char *path, asp_error *error) {
   if (!csv)
     return NULL;
   csv->stream = stream;
-  csv->has_row = csv->forced = false;
   csv->text = aspi_text_create(stream, path);
-  *csv->comment = '\0';
   if (!read_header(csv, error))
     return csv;
   aspi_csv_close(csv);
@@ -193,18 +158,16 @@ int aspi_csv_need(const aspi_csv *csv, const char *name, asp_error *error) {
 }
 
 asp_code aspi_csv_row(aspi_csv *csv, bool *found, asp_error *error) {
-  asp_code code = ASP_OK;
   *found = true;
-  if (!csv->has_row)
-    code = next_line(csv, found, error);
-  csv->has_row = false;
+  if (csv->has_row) {
+    csv->has_row = false;
+    return ASP_OK;
+  }
+  asp_code code = next_line(csv, found, error);
   if (code || !*found)
     return code;
-  int count = aspi_text_split(csv->text.text, csv->separator, csv->fields, ASP_CSV_COLUMNS);
-  if (count == csv->columns)
-    return ASP_OK;
-  return aspi_text_fail(&csv->text, csv->text.line, error, FIELDS, count, csv->columns,
-                        commas(csv, count));
+  csv->count = aspi_text_split(csv->text.text, csv->separator, csv->fields, ASP_CSV_COLUMNS);
+  return check_count(csv, error);
 }
 
 asp_code aspi_csv_number(const aspi_csv *csv, int column, double least, double most, double *value,

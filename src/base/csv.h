@@ -1,9 +1,9 @@
 /* Tables in text files: lines of fields under a line of column names. That line is the last one
- * above the first numbers; a line of units may stand between, and titles above. The separator is
- * the one that a first line `sep=` names; otherwise the first of semicolon, tab, comma and blank
- * that the first row has. A comma in a number is a decimal point. Quotes
- * hold a field together, lines that begin with # are comments, blank lines are skipped, and a
- * byte-order mark is left out. The file is read as a stream.
+ * above the first line that has a number in a field of its own; a line of units may stand between,
+ * and titles above. The separator is the one that a first line `sep=` names; otherwise the first of
+ * semicolon, tab, comma and blank that the first row has. A comma in a number is a decimal point.
+ * Quotes hold a field together, lines that begin with # are comments, blank lines are skipped, and
+ * a byte-order mark is left out. The file is read as a stream.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_CSV_H
@@ -18,9 +18,11 @@ typedef struct aspi_csv {
   aspi_text text;
   char separator;
   bool forced, has_row; /* the separator by `sep=`; the line at hand is a row not taken yet */
-  int columns;
-  char header[2 * ASP_TEXT_MOST], comment[ASP_TEXT_MOST]; /* comment: the first one, or "" */
+  char comment[ASP_TEXT_MOST];  /* the first one, or "" */
+  char above[2][ASP_TEXT_MOST]; /* the lines above the first row, the nearest first */
+  int columns, count;           /* names, and fields of the row */
   char *names[ASP_CSV_COLUMNS], *fields[ASP_CSV_COLUMNS];
+  const char *units[ASP_CSV_COLUMNS]; /* of a line of units, else "" */
 } aspi_csv;
 
 /* Opens a file and reads up to its column names. NULL on error; the message names file and line. */

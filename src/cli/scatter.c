@@ -175,11 +175,12 @@ cli_scatter cli_scatter_open(const char *path, int end) {
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.at[c] = -1;
   for (int i = 0; i < t.csv->columns; i++) {
-    char name[80];
+    char name[80], whole[200];
     const char *rest;
-    plain(t.csv->names[i], name, sizeof name);
+    snprintf(whole, sizeof whole, "%.90s %.90s", t.csv->names[i], t.csv->units[i]);
+    plain(whole, name, sizeof name);
     int c = column_of(name, &rest);
-    bool stated = strpbrk(t.csv->names[i], "[(");
+    bool stated = strpbrk(whole, "[(");
     double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, stated) : -1;
     if (factor < 0)
       continue;
