@@ -107,16 +107,6 @@ double asp_description_softening(const asp_description *d) {
 
 /* ---- the surface of numbers ---- */
 
-/* What may be wrong where lambda_c is too short. */
-static const char *slip_of_lengths(const asp_description *d) {
-  if (!(d->r_q > d->lambda_c))
-    return "";
-  if (aspi_given_of(d, "rdq sdq", 0))
-    return "; is the slope an angle? then it needs its unit, as in '10deg'";
-  return aspi_given_of(d, "rsm sal", 0) ? "; are the height and the length swapped?"
-                                        : "; are rq and lambda_c swapped?";
-}
-
 static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) {
   double meter = d->units.meter > 0 ? d->units.meter : 1, lambda = SIGMA_LAMBDA * meter;
   double slope = tan(aspi_radians(d->sigma));
@@ -133,7 +123,7 @@ asp_surface *aspi_description_surface(const asp_description *d, asp_error *error
                           ? asp_surface_create_lay(d->r_q, d->lambda_c, d->lambda_along, &wrong)
                           : asp_surface_create(d->r_q, d->lambda_c, &wrong);
   if (!made)
-    aspi_fail(error, wrong.code, "surface: %s%s", wrong.text, slip_of_lengths(d));
+    aspi_fail(error, wrong.code, "surface: %s", wrong.text);
   return made;
 }
 

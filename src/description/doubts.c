@@ -16,9 +16,6 @@
  * probably one that was made soft for a longer step. */
 #define YIELD_MOST 0.1
 
-/* Pa: no solid is as soft, and every modulus in GPa is less. */
-#define YOUNGS_LEAST 1e4
-
 /* A particle's density may be this share off that of its material. */
 #define DENSITY_OFF 0.01
 
@@ -26,10 +23,9 @@
 #define HARDNESS_LEAST 1e6
 
 /* Heights over this many diameters, or in meters where no diameter is known, are probably in
- * another unit; no pair has more friction. */
+ * another unit. */
 #define DIAMETERS_MOST 1e3
 #define HEIGHT_MOST 0.01
-#define FRICTION_MOST 3
 
 /* Speeds at which an impact is tried, in m/s; over the range of all that flies. */
 #define SPEED_LEAST 1e-3
@@ -80,18 +76,6 @@ static void has_other_density(const asp_question *q, char *text, size_t size) {
              "the density of particles is up to %.3g %% off that of material '%s', %s; theirs is "
              "taken",
              100 * off, m->name, in_si(q, m->density, "density").text);
-}
-
-static void is_in_gpa(const asp_question *q, char *text, size_t size) {
-  double pascal = aspi_quantity_factor("stress", &q->words->units);
-  for (int i = 0; i < 2; i++) {
-    const asp_material *m = q->material[i];
-    if (m && pascal > 0 && m->youngs_modulus < YOUNGS_LEAST * pascal)
-      aspi_append(text, size, "%sYoung's modulus of %s is %g, which is %g Pa", *text ? "; " : "",
-                  m->name, m->youngs_modulus, m->youngs_modulus / pascal);
-  }
-  if (*text)
-    aspi_append(text, size, "; is it one in GPa? It must be in the script's unit of stress");
 }
 
 /* True if a normal impact at v sticks; oblique ones have less normal speed. */
@@ -149,12 +133,6 @@ static void is_high(const asp_question *q, char *text, size_t size) {
              in_si(q, r_q, "length").text, r_q / d_p, in_si(q, d_p, "length").text);
   else if (!(d_p > 0) && meter > 0 && r_q > HEIGHT_MOST * meter)
     snprintf(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / meter);
-}
-
-static void rubs_much(const asp_question *q, char *text, size_t size) {
-  if (q->words->friction > FRICTION_MOST)
-    snprintf(text, size, "friction is %g; it is a coefficient, mostly under 1, no angle",
-             q->words->friction);
 }
 
 static void is_soft(const asp_question *q, char *text, size_t size) {
@@ -223,9 +201,9 @@ static void draws_from_gaussian(const asp_question *q, char *text, size_t size) 
 
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
   static ask *const doubts[] = {
-      is_high,   rubs_much,     is_soft,        has_no_sampling,     has_odd_heights,
-      is_coarse, holds_nothing, is_rough_twice, draws_from_gaussian, has_other_density,
-      is_in_gpa, yields_never,  sticks_always};
+      is_high,           is_soft,       has_no_sampling, has_odd_heights,
+      is_coarse,         holds_nothing, is_rough_twice,  draws_from_gaussian,
+      has_other_density, yields_never,  sticks_always};
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;

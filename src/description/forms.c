@@ -11,7 +11,6 @@ static const aspi_form forms[] = {
     {"lay",        aspi_lay_read,      aspi_lay_write,      NULL,                NULL},
     {"rdq",        aspi_slope_read,    NULL,                NULL,                NULL},
     {"sdq",        aspi_slope_read,    NULL,                NULL,                NULL},
-    {"rz",         aspi_rz_read,       NULL,                NULL,                NULL},
     {"spread",     aspi_spread_read,   aspi_spread_write,   aspi_spread_finish,  NULL},
     {"rebound",    aspi_law_read,      aspi_law_write,      NULL,                aspi_law_more},
     {"erosion",    aspi_law_read,      aspi_law_write,      aspi_erosion_finish, aspi_law_more},

@@ -62,7 +62,6 @@ static const aspi_keyword keywords[] = {
      NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .shown = ASPI_NEVER},
     {"surface", "sq", "R", "", "rms height of an area: the same as rq", .after = "",
      NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .shown = ASPI_NEVER},
-    {"surface", "rz", "", "", NULL, .after = "", .shown = ASPI_NEVER},
     {"surface", "rdq", "S", "",
      "rms slope of a profile, or its angle with a unit: lambda_c = 1.4142 R_q/R_dq",
      .after = "rq ra", NUMBER("", spacing), POSITIVE, .shown = ASPI_NEVER},

@@ -14,9 +14,8 @@ static bool is_number(const char *word) {
   return end > word && !*end;
 }
 
-/* A name that is no material may be a keyword with a slip; `behind` is a number behind it, or "".
- */
-static asp_code fail_material(aspi_words *r, const char *name, const char *behind) {
+/* A name that is no material may be a keyword with a slip. */
+static asp_code fail_material(aspi_words *r, const char *name) {
   if (aspi_words_misplaced(r, name))
     return ASP_ENAME;
   char keywords[ASPI_LIST_MOST] = "", all[2 * ASPI_LIST_MOST], meant[64];
@@ -29,20 +28,8 @@ static asp_code fail_material(aspi_words *r, const char *name, const char *behin
     return aspi_fail(r->error, ASP_ENAME,
                      "'%.100s' is neither a material nor a keyword; did you mean '%s'?", name,
                      meant);
-  if (*behind)
-    return aspi_fail(r->error, ASP_ENAME,
-                     "'%.100s %.40s' is neither materials nor a keyword of a wall", name, behind);
   aspi_materials_find(r->d->own, name, r->error);
   return ASP_ENAME;
-}
-
-/* A number ends no list of names: what is behind the last known one is no name either. */
-static asp_code fail_number(aspi_words *r) {
-  char **names = r->d->names;
-  int number = r->d->n_materials - 1, first = number;
-  while (first > 0 && !aspi_materials_find(NULL, names[first - 1], NULL))
-    first--;
-  return fail_material(r, names[first], first < number ? names[first + 1] : "");
 }
 
 /* A material with the numbers of another one, in the caller's units. */
@@ -58,13 +45,13 @@ static asp_material *converted(const asp_material *m, const asp_units *units, as
   return made;
 }
 
-/* Names end where the file or another keyword begins. */
+/* Names end where the file, another keyword or a number begins. */
 asp_code aspi_names_read(aspi_words *r, const aspi_keyword *k) {
   (void)k;
   asp_description *d = r->d;
   char keywords[ASPI_LIST_MOST] = "";
   aspi_keyword_names("", keywords, sizeof keywords);
-  while (r->next < r->count && !aspi_words_next_is(r, "file") &&
+  while (r->next < r->count && !aspi_words_next_is(r, "file") && !is_number(r->words[r->next]) &&
          !aspi_words_in_list(r->words[r->next], keywords) &&
          !aspi_words_in_list(r->words[r->next], r->others)) {
     char **grown = realloc(d->names, (size_t)(d->n_materials + 1) * sizeof *grown);
@@ -73,8 +60,6 @@ asp_code aspi_names_read(aspi_words *r, const aspi_keyword *k) {
     if (!name)
       return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
     d->names[d->n_materials++] = name;
-    if (is_number(name))
-      return fail_number(r);
   }
   return ASP_OK;
 }
@@ -91,7 +76,7 @@ asp_code aspi_names_finish(aspi_words *r) {
   for (int i = 0; i < d->n_materials; i++) {
     const asp_material *m = aspi_materials_find(d->own, d->names[i], NULL);
     if (!m)
-      return fail_material(r, d->names[i], "");
+      return fail_material(r, d->names[i]);
     d->materials[i] = converted(m, &d->units, r->error);
     if (!d->materials[i])
       return ASP_ENOMEM;

@@ -96,13 +96,6 @@ asp_code aspi_slope_read(aspi_words *r, const aspi_keyword *k) {
   return code ? code : aspi_keyword_check(k, given, *slope, r->error);
 }
 
-asp_code aspi_rz_read(aspi_words *r, const aspi_keyword *k) {
-  (void)k;
-  return aspi_fail(r->error, ASP_EARG,
-                   "rz does not give rq: R_z/R_q grows from 2.8 to 5.0 with the sampling length; "
-                   "say rq R or ra R");
-}
-
 /* lambda_c of L [sampling LR]; without LR in the middle of what any sampling length makes of L. */
 static asp_code convert_rsm(aspi_words *r) {
   asp_description *d = r->d;

@@ -88,7 +88,6 @@ void aspi_lambda_c_write(aspi_line *line, const asp_description *d, const aspi_k
 asp_code aspi_lay_read(aspi_words *words, const aspi_keyword *keyword);
 void aspi_lay_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
 asp_code aspi_slope_read(aspi_words *words, const aspi_keyword *keyword);
-asp_code aspi_rz_read(aspi_words *words, const aspi_keyword *keyword);
 asp_code aspi_surface_finish(aspi_words *words);
 
 /* laws.c: a model or a law by name, and the parameters of a law */

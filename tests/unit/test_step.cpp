@@ -658,13 +658,14 @@ void doubts_are_said_once(void **) {
   Alone engine;
   engine.least = engine.most = 0;
   std::unique_ptr<Wall> wall =
-      make_wall(engine, plane(0, 0), "surface rq 0.005 lambda_c 0.1 materials quartz friction 30");
+      make_wall(engine, plane(0, 0),
+                "surface rq 0.005 lambda_c 0.1 materials quartz erosion oka 1.8 density 7800");
   const double sizes[] = {0, 0, 1e-6, 1e-6, 5e-7};
   for (int k = 0; k < 5; k++) {
     engine.least = sizes[k];
     engine.most = sizes[k] > 0 ? 1e-6 : 0;
     wall->init(k, 0.1);
-    assert_int_equal(count(engine.warned, "friction is 30"), 1);
+    assert_int_equal(count(engine.warned, "hardness is 1.8,"), 1);
     assert_int_equal(count(engine.warned, "rq is 0.005 m, 5e+03 times"), k > 1);
   }
 }
