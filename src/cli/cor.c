@@ -28,21 +28,13 @@ typedef struct scene {
   cli_list speeds, sizes; /* of a log-normal law ln has the sd ln(most/least)/5 */
 } scene;
 
-/* The impacts: `count[a]` at each angle, of which the first is number `first[a]` of all; at an
- * angle the sizes and speeds of lists come in turn. */
-typedef struct plan {
-  const cli_list *angles;
-  size_t *count, *first, total;
-} plan;
-
 typedef struct row {
-  size_t angle, sample; /* which of the plan */
   double d_p, alpha1;
   cli_impact of;
 } row;
 
-/* Impacts are drawn in blocks of pieces, each of which one thread draws and prints. */
-enum { PIECE = 1024, PIECES = 64 };
+/* Impacts that are drawn at once. */
+enum { BLOCK = 1 << 16 };
 
 /* The value of a sample; of a list they come in turn. */
 static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
@@ -65,7 +57,7 @@ static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) 
   asp_key key = {s->seed, asp_key_wall("cor"), tag, 0};
   aspi_stream stream = aspi_stream_begin(&key);
   size_t sizes = s->sizes.count ? s->sizes.count : 1;
-  row r = {.sample = sample, .d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
+  row r = {.d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
   double speed = sample_of(&s->speeds, sample / sizes, &stream);
   key.impact = 1;
   r.of = cli_impact_at(&s->wall, r.d_p, speed, angle, &key);
@@ -149,18 +141,19 @@ static double value_of_group(const cli_list *list, size_t index, double factor) 
 }
 
 /* Per angle, speed and size: what sticks, and mean and sd of what rebounds. */
-static void print_summary(FILE *out, const scene *s, const plan *p, const sums *of, bool erodes) {
+static void print_summary(FILE *out, const scene *s, const cli_list *angles, const sums *of,
+                          bool erodes) {
   size_t groups = count_groups(s), sizes = s->sizes.count ? s->sizes.count : 1;
   fprintf(out,
           "dp_um,v1_m_s,alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,"
           "cor_t_sd%s\n",
           erodes ? ",eroded_mean,eroded_sd" : "");
-  for (size_t i = 0; i < p->angles->count * groups; i++) {
+  for (size_t i = 0; i < angles->count * groups; i++) {
     const sums *one = &of[i];
     if (one->impacts == 0)
       continue;
     cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%.0f", value_of_group(&s->sizes, i % groups, 1e6),
-            value_of_group(&s->speeds, i % groups / sizes, 1), p->angles->values[i / groups],
+            value_of_group(&s->speeds, i % groups / sizes, 1), angles->values[i / groups],
             one->impacts, capture_share(one), one->cor_n.n);
     print_moments(out, &one->cor_n);
     print_moments(out, &one->cor_t);
@@ -170,23 +163,6 @@ static void print_summary(FILE *out, const scene *s, const plan *p, const sums *
   }
 }
 
-/* Impacts at each angle: equally many, or by flux: particles that fly in all of these directions
- * alike hit in proportion to sin alpha1. */
-static plan make_plan(const cli_list *angles, size_t samples, bool by_flux) {
-  plan p = {angles, cli_allocate(angles->count, sizeof *p.count),
-            cli_allocate(angles->count, sizeof *p.first), 0};
-  double sines = 0;
-  for (size_t a = 0; a < angles->count; a++)
-    sines += sin(aspi_radians(angles->values[a]));
-  for (size_t a = 0; a < angles->count; a++) {
-    double share = sin(aspi_radians(angles->values[a])) / sines * (double)angles->count;
-    p.count[a] = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
-    p.first[a] = p.total;
-    p.total += p.count[a];
-  }
-  return p;
-}
-
 /* ---- the command ---- */
 
 /* Destinations of an impact: rows, sums; NULL: not wanted. */
@@ -194,64 +170,47 @@ typedef struct sink {
   FILE *rows;
   bool as_ledger;
   sums *sums;
+  cli_progress progress;
 } sink;
 
-/* Draws the impacts from number `first` on, and prints them to a text, "" where none is wanted. */
-static char *draw_piece(const scene *s, const plan *p, const sink *to, size_t first, size_t count,
-                        row *rows, size_t *length) {
-  char *text = NULL;
-  FILE *out = to->rows ? open_memstream(&text, length) : NULL;
-  size_t a = 0;
-  for (size_t i = 0; i < count; i++) {
-    size_t tag = first + i;
-    while (tag >= p->first[a] + p->count[a])
-      a++;
-    rows[i] = impact_at(s, p->angles->values[a], tag - p->first[a], tag);
-    rows[i].angle = a;
-    if (out && to->as_ledger)
-      print_ledger_row(out, &rows[i], tag + 1);
-    else if (out)
-      print_row(out, &rows[i]);
-  }
-  if (out)
-    fclose(out);
-  return text;
-}
-
-/* Hands over the rows of a piece, in their order. */
-static void take_piece(const scene *s, const sink *to, const row *rows, size_t count) {
+/* Draws the impacts at one angle, on all cores: each has random numbers of its own. `tag` is the
+ * number of the first one. */
+static void draw_angle(const scene *s, double angle, size_t count, size_t tag, row *rows, sink *to,
+                       sums *of) {
   size_t groups = count_groups(s);
-  for (size_t i = 0; i < count && to->sums; i++)
-    add_to_sums(&to->sums[rows[i].angle * groups + rows[i].sample % groups], &rows[i]);
+  for (size_t first = 0; first < count; first += BLOCK) {
+    size_t n = count - first < BLOCK ? count - first : BLOCK;
+#pragma omp parallel for
+    for (size_t i = 0; i < n; i++)
+      rows[i] = impact_at(s, angle, first + i, tag + first + i);
+    for (size_t i = 0; i < n; i++)
+      if (of)
+        add_to_sums(&of[(first + i) % groups], &rows[i]);
+      else if (to->as_ledger)
+        print_ledger_row(to->rows, &rows[i], tag + first + i + 1);
+      else
+        print_row(to->rows, &rows[i]);
+    cli_progress_show(&to->progress, (double)(tag + first));
+  }
 }
 
-/* Draws all impacts, on all cores: each has random numbers of its own. */
-static void draw(const scene *s, const plan *p, const sink *to) {
-  cli_progress progress = cli_progress_begin("impacts", (double)p->total);
-  row *rows = cli_allocate((size_t)PIECE * PIECES, sizeof *rows);
-  char *text[PIECES];
-  size_t length[PIECES];
-  for (size_t first = 0; first < p->total; first += (size_t)PIECE * PIECES) {
-    size_t left = p->total - first;
-    int pieces = left < (size_t)PIECE * PIECES ? (int)((left + PIECE - 1) / PIECE) : PIECES;
-#pragma omp parallel for schedule(dynamic)
-    for (int k = 0; k < pieces; k++) {
-      size_t at = (size_t)k * PIECE, count = left - at < PIECE ? left - at : PIECE;
-      text[k] = draw_piece(s, p, to, first + at, count, rows + at, &length[k]);
-    }
-    for (int k = 0; k < pieces; k++) {
-      size_t at = (size_t)k * PIECE, count = left - at < PIECE ? left - at : PIECE;
-      if (to->rows && !text[k])
-        cli_fail("out of memory for %d rows of text", PIECE);
-      if (to->rows)
-        fwrite(text[k], 1, length[k], to->rows);
-      free(text[k]);
-      take_piece(s, to, rows + at, count);
-    }
-    cli_progress_show(&progress, (double)first);
+/* Draws equally many impacts at each angle, or by flux: particles that fly in all of these
+ * directions alike hit in proportion to sin alpha1. */
+static void draw(const scene *s, const cli_list *angles, size_t samples, bool by_flux, sink *to) {
+  to->progress = cli_progress_begin("impacts", (double)(samples * angles->count));
+  row *rows = cli_allocate(BLOCK, sizeof *rows);
+  double sines = 0;
+  for (size_t a = 0; a < angles->count; a++)
+    sines += sin(aspi_radians(angles->values[a]));
+  for (size_t a = 0, tag = 0; a < angles->count; a++) {
+    double share = sin(aspi_radians(angles->values[a])) / sines * (double)angles->count;
+    size_t count = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
+    draw_angle(s, angles->values[a], count, tag, rows, to,
+               to->sums ? to->sums + a * count_groups(s) : NULL);
+    tag += count;
   }
   free(rows);
-  cli_progress_end(&progress);
+  cli_progress_end(&to->progress);
 }
 
 /* Values between two ends, in equal ratios. */
@@ -306,17 +265,16 @@ static void run(cli_call *call) {
     cli_bad_usage("--angles is '%s'; --capture takes one angle", cli_value(call, "angles"));
   size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
-  plan p =
-      make_plan(&angles, capture ? samples * count_groups(&s) : samples, cli_value(call, "flux"));
+  samples *= capture ? count_groups(&s) : 1;
   FILE *out = cli_table_open(call, s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)
     to.sums = cli_allocate(angles.count * count_groups(&s), sizeof *to.sums);
   else
     print_header(out, as_ledger);
-  draw(&s, &p, &to);
+  draw(&s, &angles, samples, cli_value(call, "flux"), &to);
   if (summary)
-    print_summary(out, &s, &p, to.sums, asp_description_is_given(s.wall.words, "erosion"));
+    print_summary(out, &s, &angles, to.sums, asp_description_is_given(s.wall.words, "erosion"));
   cli_table_close(call, out, capture ? "capture" : summary ? "summary" : "cor");
 }
 
