@@ -44,6 +44,9 @@ case ${1:-} in liggghts | lammps) use "$1"; shift ;; esac
 
 die() { echo "FAILED: $*" >&2; exit 1; }
 
+# table NAME=FILE... CODE: checks tables, as tests/table.py tells.
+table() { python3 -S "$here/../table.py" "$@"; }
+
 # engine RANKS SCRIPT [options]: runs a script; the screen goes to SCRIPT.screen, from the first rank itself: what passes
 # through mpirun may be cut in a line, or lost at the end. What is said beside it follows.
 engine() {
@@ -56,24 +59,38 @@ engine() {
   [ $ended = 0 ] || { tail -n 15 "$script.screen" >&2; die "$script on $ranks ranks"; }
 }
 
+# refuses RANKS SCRIPT WORD...: it ends with one error, which has the words. OPTIONS are the engine's.
+refuses() {
+  local ranks=$1 script=$2 launch=() word; shift 2
+  [ "$ranks" = 1 ] || launch=(mpirun -np "$ranks")
+  # shellcheck disable=SC2086
+  ! timeout 60 "${launch[@]}" "$program" -in "$script" -log none ${OPTIONS:-} < /dev/null > "$script.screen" 2>&1 || die "$script was accepted: $*"
+  grep -a '^ERROR' "$script.screen" > "$script.error" || { tail "$script.screen"; die "no error message: $*"; }
+  [ "$(wc -l < "$script.error")" = 1 ] || { cat "$script.error"; die "more than one message on $ranks ranks: $*"; }
+  for word; do grep -aqF -- "$word" "$script.error" || { cat "$script.error"; die "'$word' is not in the message"; }; done
+  ! grep -aqi -e 'segmentation' -e 'signal 11' "$script.screen" || die "crash: $*"
+}
+
 same() { cmp "$1" "$2" || die "$1 and $2 differ: $3"; }
 
-# near A B COLUMNS TOLERANCE: the named columns of two ledgers agree, row by row, to a relative tolerance.
+# near A B COLUMNS TOLERANCE: columns of two ledgers, by their names or numbers, agree row by row to a relative tolerance.
 near() {
-  paste -d, <(rows "$1") <(rows "$2") | awk -F, -v columns="$3" -v tolerance="$4" '
-    { half = NF / 2; n = split(columns, c, " ")
-      for (i = 1; i <= n; i++) { a = $(c[i]); b = $(c[i] + half); d = a - b; if (d < 0) d = -d
-        m = a < 0 ? -a : a; if (m < 1e-6) m = 1e-6
-        if (!(d <= tolerance * m)) { print "row " NR ", column " c[i] ": " a " and " b; bad = 1 } } }
-    END { if (!NR) { print "no rows"; bad = 1 } exit bad }' > near.log || { head -n 5 near.log; die "$1 and $2 differ"; }
+  table a="$1" b="$2" "
+assert a and len(a) == len(b)
+for x, y in zip(a, b):
+    for k in '$3'.split():
+        k = int(k) - 1 if k.isdigit() else k
+        assert near(x[k], y[k], $4, 1e-6) or isnan(x[k]) and isnan(y[k]), (k, x, y)" || die "$1 and $2 differ"
 }
 
 rows() { grep -v -e '^#' -e '^tag' "$1"; }
 count_rows() { rows "$1" | wc -l; }
 
-# check_rows FILE CONDITION TEXT: an awk condition holds in every row of a ledger (and there are rows).
+# check_rows FILE CONDITION TEXT: a condition, in Python, holds for every row r of a ledger, and there are rows.
 check_rows() {
-  rows "$1" | awk -F, -v pi=3.14159265358979 "!($2) { if (bad++ < 3) print } END { exit bad || !NR }" || die "$3"
+  table a="$1" "assert a
+for r in a:
+    assert $2, r" || die "$3"
 }
 
 # materials [YOUNG YIELD GAMMA]: quartz (type 1) on Hastelloy X (type 2), with what unit factors say.
@@ -103,6 +120,23 @@ newton off
 communicate single vel yes
 hard_particles yes
 END
+}
+
+# flying FILE: the beginning of a script of grains that do not meet, of a data or restart file, in UNITS and their
+# factors PA and JM2 of `materials`, with a BOUNDARY.
+flying() {
+  head_of "${units:-si}" | sed "s/^boundary.*/boundary ${boundary:-f f f}/"
+  echo "$([[ $1 == *restart ]] && echo read_restart || echo read_data) $1
+neighbor $(mul 3e-5 "${length:-1}") bin
+neigh_modify delay 0 exclude group all all
+fix move all nve/sphere"
+  materials "${pa:-1}" "${jm2:-1}"
+}
+
+# pictures STEPS [FILE [COLUMNS]]: the lines of a dump.
+pictures() {
+  echo "dump at all custom $1 ${2:-at.txt} id ${3:-x y z vx vy vz}
+dump_modify at sort id format \"%d$(printf ' %%.17g%.0s' ${3:-x y z vx vy vz})\""
 }
 
 # grains N [LENGTH VELOCITY DENSITY SEED]: a data file of grains over the plane z = 0, each of its own size
@@ -137,7 +171,7 @@ bouncing() {
     printf "grains\n\n%d atoms\n2 atom types\n\n-4e-3 6e-3 xlo xhi\n-4e-3 6e-3 ylo yhi\n-5e-4 1e-3 zlo zhi\n\nAtoms\n\n", n
     for (i = 1; i <= n; i++) printf "%d 1 %g 2650 %g %g %g\n", i, 1e-5 + i * 1e-7, 1e-4 * (i % 18), 1e-4 * int(i / 18), 1e-4 + (i * 37 % 100) * 2e-6
     printf "\nVelocities\n\n"
-    for (i = 1; i <= n; i++) printf "%d 0 0 %g 0 0 0\n", i, (i % 2 ? 1 : -1) * (30 + i * 53 % 97) }'
+    for (i = 1; i <= n; i++) printf "%d 0 0 %g 0 0 0\n", i, (i % 3 ? 1 : -1) * (30 + i * 53 % 97) }'
 }
 
 # plate CELLS LENGTH: an STL plate under all of them, in the plane z = 0.

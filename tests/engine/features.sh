@@ -86,8 +86,8 @@ fix low odd wall/rebound zplane 0 type 2 rebound constant 1 1 deposit off ledger
 fix high even wall/rebound zplane -1e-4 type 2 rebound constant 1 1 deposit off ledger 100 file even.csv
 fix wall all wall/rebound zplane 5e-4 rebound constant 1 1 deposit off"
 engine 2 groups.in
-check_rows odd.csv '$1 % 2 == 1 && $8 > 0' "the wall of the odd ones"
-check_rows even.csv '$1 % 2 == 0 && $8 < 0' "the wall of the even ones"
+check_rows odd.csv 'r.tag % 2 == 1 and r.z > 0' "the wall of the odd ones"
+check_rows even.csv 'r.tag % 2 == 0 and r.z < 0' "the wall of the even ones"
 
 # Partitions, each with its own ledger.
 script parts '' ''
@@ -120,7 +120,7 @@ run 1000"; } > "$1.in"
     rm -f rows.csv
     engine $ranks "$1.in"
     rows rows.csv | awk -F, '{ if ($2 != last[$1] + 1) bad = 1; last[$1] = $2; n++; more += $2 > 1 } END { exit bad || n < 100 || more < 10 }' || die "$1 on $ranks ranks: impact numbers"
-    check_rows rows.csv '$8 > 0' "$1: a grain below the wall"
+    check_rows rows.csv 'r.z > 0' "$1: a grain below the wall"
   done
 }
 printf '# grain\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\nDiameters\n\n1 1e-5\n\nMasses\n\n1 1.3875e-12\n' > grain.txt

@@ -1,78 +1,79 @@
 #!/usr/bin/env bash
-# `materials`: the presets by name, in every system of units, are the same constants that `fix property/global`
-# gives; beside a soft pair style, from a file of the user's own, and with the defaults of the command.
+# Materials and units. One case in units si, cgs, micro, and LAMMPS's nano has the same impacts; by the presets' names it
+# has those of the same constants by `fix property/global`. Words go before the script's constants; a file of the user's own
+# goes before the presets.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
-deck() { # units, length, time, lines with the constants, keywords of the fix
-  head_of "$1"
-  echo "read_data $1.data
-neighbor $(mul 3e-5 "$2") bin
-neigh_modify delay 0 exclude group all all
-$4
-fix move all nve/sphere
-timestep $(mul 1e-8 "$3")
-fix wall all wall/rebound primitive type 2 zplane 0.0 surface rq $(mul 10e-6 "$2") lambda_c $(mul 90e-6 "$2") spread truncated $5 ledger 400 file out.csv
-run 400"
+run() { # LEDGER RANKS LINES KEYWORDS: in $units; LINES replace the constants of a type
+  local at=(${units_of[$units]})
+  { length=${at[0]} pa=${at[4]} jm2=${at[5]} flying $units.data | sed "${3:-}"
+    echo "timestep $(mul 1e-8 ${at[3]})
+fix wall all wall/rebound primitive type 2 zplane 0.0 surface rq $(mul 10e-6 ${at[0]}) lambda_c $(mul 90e-6 ${at[0]}) spread truncated ${4:-} ledger 400 file $1.csv
+run 400"; } > $1.in
+  engine $2 $1.in
 }
-run() { # name of the ledger, ranks, the deck
-  local name=$1 ranks=$2; shift 2
-  deck "$@" > run.in
-  engine "$ranks" run.in
-  mv out.csv "$name.csv"
-  cp run.in.screen "$name.screen"
-}
-says() { grep -aqF -- "$2" "$1.screen" || { cat "$1.screen"; die "$1: the log does not say '$2'"; }; }
-same_rows() { rows "$1.csv" > a; rows "$2.csv" > b; [ -s a ] || die "$1: no rows"; same a b "$1 and $2"; }
-
+says() { grep -aqF -- "$2" "$1.in.screen" || { cat "$1.in.screen"; die "$1: the log does not say '$2'"; }; }
+same_rows() { [ "$(count_rows $1.csv)" -ge 400 ] || die "$1: too few impacts"; same <(rows $1.csv) <(rows $2.csv) "$1 and $2"; }
 # The pair style's own constants: soft ones, of which the wall must take nothing but the friction.
-soft() { # pressure
-  materials "$1" 1 | grep -v -e '^fix m3' -e '^fix m4' | sed "s/^fix m1.*/fix m1 all property\/global youngsModulus peratomtype $(mul 5e6 "$1") $(mul 5e6 "$1")/; s/^\(fix m2.*peratomtype\).*/\1 0.3 0.3/"
+soft() { # factor of pressures
+  echo "s/hard_particles yes/hard_particles no/; s/\(youngsModulus peratomtype\).*/\1 $(mul 5e6 ${1:-1}) $(mul 5e6 ${1:-1})/; s/\(poissonsRatio peratomtype\).*/\1 0.3 0.3/; /yieldStress\|surfaceEnergy/d"
 }
-# factors from SI: length, time, pressure, energy per area
-grains 400 > si.data
-grains 400 1e2 1e2 1e-3 > cgs.data
-grains 400 1e6 1 1e-3 > micro.data
-for units in "si 1 1 1 1" "cgs 1e2 1 10 1e3" "micro 1e6 1e6 1e-3 1e3"; do
-  set -- $units
-  run "$1.numbers" 1 "$1" "$2" "$3" "$(materials "$4" "$5")" ''
-  run "$1.names" 2 "$1" "$2" "$3" "$(soft "$4" | sed '1i hard_particles no')" 'materials quartz hastelloy-x'
-  [ "$(count_rows "$1.names.csv")" -ge 400 ] || die "$1: too few impacts"
-  near "$1.numbers.csv" "$1.names.csv" "1 2 3 6 7 8 9 10 11 12 14 15 16 17 18 19" 1e-9
-  says "$1.names" "surface_energy $(mul 0.8 "$5"), the default"
-  grep -q '^# .* materials quartz hastelloy-x deposit freeze seed 1;' "$1.names.csv" || die "$1: the ledger does not name the materials"
-  grep -aq 'WARNING.*density' "$1.names.screen" && die "$1: a warning of a density that is the material's"
+# constants YOUNG POISSON YIELD GAMMA MU: of both types, for sed; those that are not given stay.
+constants() {
+  local k=0 names=(youngsModulus poissonsRatio yieldStress surfaceEnergy coefficientFriction)
+  for value; do
+    [ -z "$value" ] || [ $k -lt 3 ] || value="2 $value $value $value $value"
+    [ -z "$value" ] || echo "s/\(${names[k]} peratomtype[a-z]*\) .*/\1 $value/"
+    k=$((k + 1))
+  done
+}
+names='materials quartz hastelloy-x'
+
+# Factors from SI: length, velocity, density, time, pressure, energy per area.
+declare -A units_of=([si]='1 1 1 1 1 1' [cgs]='1e2 1e2 1e-3 1 10 1e3' [micro]='1e6 1 1e-3 1e6 1e-3 1e3' [nano]='1e9 1 1e-6 1e9 1e-6 1e3' [lj]='1 1 1 1 1 1')
+for units in si cgs micro $([ $simulator = liggghts ] || echo nano); do
+  at=(${units_of[$units]})
+  grains 400 ${at[0]} ${at[1]} ${at[2]} > $units.data
+  run $units.numbers 1
+  run $units.names 2 "$(soft ${at[4]})" "$names"
+  near $units.numbers.csv $units.names.csv "tag impact time x y z d_p v1 alpha1_deg delta_alpha_deg hits v2 alpha2_deg cor_n cor_t outcome" 1e-9
+  awk -F, -v OFS=, -v OFMT=%.12g -v CONVFMT=%.12g -v l=${at[0]} -v v=${at[1]} -v t=${at[3]} '/^#/ || /^tag/ { print; next }
+    { $3 /= t; for (i = 6; i <= 9; i++) $i /= l; $10 /= v; $15 /= v; print }' $units.numbers.csv > rescaled.csv
+  near si.numbers.csv rescaled.csv "tag impact time d_p v1 alpha1_deg delta_alpha_deg hits v2 alpha2_deg cor_n cor_t outcome" 1e-6
+  says $units.names "surface_energy $(mul 0.8 ${at[5]}), the default"
+  grep -q '^# .* materials quartz hastelloy-x deposit freeze seed 1;' $units.names.csv || die "$units: the ledger does not name the materials"
+  ! grep -aq 'WARNING.*density' $units.names.in.screen || die "$units: a warning of a density that is the material's"
 done
+units=si
 same_rows si.numbers si.names
-run frictionless 1 si 1 1 "$(soft 1 | grep -v '^fix m5' | sed 's/tangential history//')" 'materials quartz hastelloy-x'
+run frictionless 1 "$(soft); /coefficientFriction/d; s/tangential history//" "$names"
 same_rows si.names frictionless
 says frictionless 'friction 0.3, the default'
 [ $simulator = lammps ] || says si.numbers "friction by the script's coefficientFriction"
 
 # Constants of a pair come from the script, those of a type from the material.
-run pair 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/')" ''
-run pair.names 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/; s/200e6/1e6/g; s/2000*\b/1000000/g')" 'materials quartz hastelloy-x'
+run pair 1 "$(constants '' '' '' 0.4 0.5)"
+run pair.names 1 "$(constants '5e6 5e6' '' '1e6 1e6' 0.4 0.5)" "$names"
 same_rows pair pair.names
-cmp -s <(rows pair.csv) <(rows si.names.csv) && die "the constants of a pair are not taken"
+! cmp -s <(rows pair.csv) <(rows si.names.csv) || die "the constants of a pair are not taken"
 
 # Words go before both, and the log says so.
-run words 1 si 1 1 "$(soft 1)" 'materials quartz hastelloy-x friction 0.5 surface_energy 0.4 yield_stress 150MPa'
-run words.numbers 1 si 1 1 "$(materials | sed 's/ 0\.8 0\.8 0\.8 0\.8/ 0.4 0.4 0.4 0.4/; s/ 0\.3 0\.3 0\.3 0\.3/ 0.5 0.5 0.5 0.5/; s/ 200000000 200000000/ 150e6 0/')" ''
+run words 1 "$(soft)" "$names friction 0.5 surface_energy 0.4 yield_stress 150MPa"
+run words.numbers 1 "$(constants '' '' '150e6 0' 0.4 0.5)"
 same_rows words words.numbers
 for word in 'friction 0.5' 'surface_energy 0.4' 'yield_stress 1.5e+08'; do says words "$word, by the description"; done
 
-# A file of the user's own, before the presets: a softer quartz, and a name that no preset has.
-cat > own.csv << 'END'
-name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa
-quartz,50e9,0.2,2000,150e6
-brass,100e9,0.35,8500,
-END
-run own 1 si 1 1 "$(soft 1)" 'materials quartz brass file own.csv'
-run own.numbers 1 si 1 1 "$(materials | sed 's/ 70000000000 205000000000/ 50e9 100e9/; s/0\.17 0\.32/0.2 0.35/; s/ 200000000 200000000/ 150e6 0/')" ''
+# A softer quartz of the user's own, and a name that no preset has. The density of the grains is another one.
+printf '%s\n' name,youngs_modulus_pa,poissons_ratio,density_kg_m3,yield_stress_pa quartz,50e9,0.2,2000,150e6 brass,100e9,0.35,8500, > brass.csv
+run own 1 "$(soft)" 'materials quartz brass file brass.csv'
+run own.numbers 1 "$(constants '50e9 100e9' '0.2 0.35' '150e6 0')"
 same_rows own own.numbers
-grep -a 'WARNING.*density' own.screen > warning || die "no warning of another density"
-for word in "type 1" "32.5 %" "'quartz'" "2000"; do grep -qF -- "$word" warning || { cat warning; die "'$word' is not in the warning"; }; done
-[ "$(wc -l < warning)" = 1 ] || die "the density is warned of more than once"
-cmp -s <(rows own.csv) <(rows si.names.csv) && die "the file is not taken"
+[ "$(grep -a 'WARNING.*density' own.in.screen | grep -cE "type 1.*32.5 %.*'quartz'.*2000")" = 1 ] || die "not one warning of another density"
+! cmp -s <(rows own.csv) <(rows si.names.csv) || die "the file is not taken"
 
-# A wall's material has no yield stress: particles of it need one, or a rate.
-run rate 1 si 1 1 "$(soft 1)" 'materials hastelloy-x hastelloy-x rebound bons yield_rate 3e6'
+# Without materials nothing has a unit: lj is what si is.
+if [ $simulator = lammps ]; then
+  cp si.data lj.data
+  for units in si lj; do run plain.$units 1 '/^fix m[0-9]/d; /^pair/d' 'rebound walton 0.9 0.3 0.1'; done
+  same_rows plain.si plain.lj
+fi

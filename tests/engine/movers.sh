@@ -104,7 +104,7 @@ run 300"; } > grow.in
     [ $simulator = liggghts ] || sed -i 's/^atom_style.*/atom_style sphere 1/' grow.in # radii that change
     rm -f rows.csv
     engine 1 grow.in
-    check_rows rows.csv "NR > 1 || (\$3 >= 1.99e-4 && \$3 <= 1.99e-4 + $every * 1e-6 + 1e-6)" "$simulator: a grain that grows, each $every steps: $(rows rows.csv | head -n 1)"
+    check_rows rows.csv "r is not a[0] or 1.99e-4 <= r.time <= 1.99e-4 + $every * 1e-6 + 1e-6" "$simulator: a grain that grows, each $every steps: $(rows rows.csv | head -n 1)"
   done
 
   # What commands do to grains between two runs counts also where the second one has no set-up.

@@ -1,34 +1,36 @@
 #!/usr/bin/env bash
-# The same ledger, byte for byte, on 1, 2 and 4 ranks, on a plane and on a mesh; as one run or as two; and
-# the same physics on the mesh as on the plane.
+# The same ledger, byte for byte, on 1, 2 and 4 ranks, on a plane and on a mesh; as one run or as three; behind `clear` as
+# in a script of its own; and the same physics on the mesh as on the plane.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains 900 > grains.data
+grains 900 1 1 1 777 > others.data
 plate 12 1 > plate.stl
-deck() { # wall, runs
-  head_of si
-  echo 'read_data grains.data
-neighbor 3e-5 bin
-neigh_modify delay 0 exclude group all all'
-  materials
-  echo 'fix plate all mesh/surface file plate.stl type 2
-fix move all nve/sphere
-timestep 1e-8'
-  echo "fix wall all wall/rebound $1 surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple deposit freeze seed 5 ledger 100 file \${out}"
-  printf '%b\n' "$2"
+mesh='mesh n_meshes 1 meshes plate' plane='primitive type 2 zplane 0.0'
+deck() { # DATA WALL LEDGER RUNS
+  flying $1
+  echo "fix plate all mesh/surface file plate.stl type 2
+fix wall all wall/rebound $2 surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple deposit freeze seed 5 ledger 100 file $3
+timestep 1e-8"
+  printf '%b\n' "$4"
 }
-deck 'primitive type 2 zplane 0.0' 'run 400' > plane.in
-deck 'mesh n_meshes 1 meshes plate' 'run 400' > mesh.in
-deck 'mesh n_meshes 1 meshes plate' 'run 150\nrun 30\nrun 220' > parts.in
-for wall in plane mesh; do
-  for ranks in 1 2 4; do engine $ranks $wall.in -var out $wall.$ranks.csv; done
-  [ "$(count_rows $wall.1.csv)" -ge 900 ] || die "$wall: $(count_rows $wall.1.csv) impacts of 900 grains"
-  same $wall.1.csv $wall.2.csv "1 and 2 ranks"
-  same $wall.1.csv $wall.4.csv "1 and 4 ranks"
+deck others.data "$plane" alone.csv 'run 400' > alone.in
+{ deck grains.data "$mesh" mesh.csv 'run 400\nclear'
+  deck others.data "$plane" others.csv 'run 400\nclear'
+  deck grains.data "$plane" plane.csv 'run 400\nclear'
+  deck grains.data "$mesh" parts.csv 'run 150\nrun 30\nrun 220'; } > all.in
+engine 1 alone.in
+for ranks in 1 2 4; do
+  engine $ranks all.in
+  same mesh.csv parts.csv "one run, and three behind clear, on $ranks ranks"
+  for wall in mesh plane others; do
+    [ $ranks = 1 ] || same $wall.1.csv $wall.csv "$wall on 1 and $ranks ranks"
+    mv $wall.csv $wall.$ranks.csv
+  done
 done
-engine 2 parts.in -var out parts.csv
-same mesh.1.csv parts.csv "one run and three"
-near plane.1.csv mesh.1.csv "1 2 3 6 7 8 9 10 11 12 13 14 15 16 17 18 19" 1e-6
-check_rows mesh.1.csv '$4 == 1 && $5 >= 0' "mesh and triangle are named"
-check_rows plane.1.csv '$4 == 0 && $5 == 0' "a primitive wall has mesh 0 and triangle 0"
-check_rows plane.1.csv '$11 >= 0 && $11 <= 90 && $16 >= 0 && $16 <= 180 && $15 <= $10 * (1 + 1e-12)' "angles and energy"
+same alone.csv others.1.csv "a script of its own, and behind clear"
+near plane.1.csv mesh.1.csv "tag impact time x y z d_p v1 alpha1_deg delta_alpha_deg tilt_out_deg hits v2 alpha2_deg cor_n cor_t outcome" 1e-6
+table a=mesh.1.csv b=plane.1.csv c=alone.csv 'assert len(a) >= 900 and len(b) >= 900 and len(c) >= 900
+assert all(r.mesh == 1 and r.triangle >= 0 for r in a) and all(r.mesh == r.triangle == 0 for r in b)
+assert all(0 <= r.alpha1_deg <= 90 and 0 <= r.alpha2_deg <= 180 and r.v2 <= r.v1 * (1 + 1e-12) for r in b if r.outcome == 0)' ||
+  die "number, mesh and triangle, angles, or speeds of impacts"

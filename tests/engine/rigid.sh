@@ -48,7 +48,7 @@ fix floor all wall/rebound zplane -0.02 rebound walton 0.8 0.3 0 ledger 1 file f
 timestep 2e-5
 run 500"; } > flat.in
 engine 1 flat.in
-check_rows flat.csv '$29 > 1.2 - 1e-8 && $29 < 1.2 + 1e-8 && $33^2 + $34^2 + $35^2 < 1e-6 && $28^2 < 1e-16' "a rod lands flat"
+check_rows flat.csv 'abs(r.v2z - 1.2) < 1e-8 and hypot(r.omega2x, r.omega2y, r.omega2z) < 1e-3 and abs(r.v2y) < 1e-8' "a rod lands flat"
 
 # The same ledgers on 1, 2 and 4 ranks, of rough walls with friction, with periodic edges, and where bodies stick; and
 # near to them over a restart, where the fix computes its bodies anew.

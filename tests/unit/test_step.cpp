@@ -38,6 +38,10 @@ typedef std::unique_ptr<Shape> ShapePtr;
 
 const double STILL[3] = {0, 0, 0};
 
+bool near(double a, double b, double within) {
+  return fabs(a - b) <= within;
+}
+
 int count(const std::string &text, const char *part) {
   int found = 0;
   for (size_t at = 0; (at = text.find(part, at)) != std::string::npos; at++)
@@ -429,9 +433,9 @@ void numbers_take_one_reduction(void **) {
 /* ---- the search -------------------------------------------------------------------------------
  */
 
-/* Overlaps by rounding are no guarded contacts. */
+/* Overlaps by rounding are no guarded contacts. A center on the wall goes back to its side. */
 void rounding_is_not_guarded(void **) {
-  const double overlap[] = {1e-10, 1e-6, 1e-3};
+  const double overlap[] = {1e-10, 1e-6, 1e-3, 1};
   for (double deep : overlap) {
     const Alone engine;
     std::unique_ptr<Wall> wall =
@@ -443,7 +447,73 @@ void rounding_is_not_guarded(void **) {
     grains.fly(1);
     assert_true(wall->books.counter(Books::N_IMPACTS) == 1);
     assert_true(wall->books.counter(Books::N_GUARDED) == (deep > 1e-4));
+    assert_true(grains.x[0] >= 0 && near(grains.v[0], 0.5, 1e-12));
   }
+}
+
+/* Between two meshes that leave a grain no room, of one wall or of two, at rest or closing in: it
+ * is in the middle, goes with them, counts as guarded in each step, and has no more impacts. */
+void narrow_places_hold_grains(void **) {
+  const double up[3] = {0, 0, 1}, r = 1e-3, dt = 1e-5;
+  const double cases[][4] = {/* gap, speed of the upper mesh; place and speed of the grain */
+                             {1.5e-3, 0, 0.7e-3, 1e-3},
+                             {1.5e-3, 0, 0.8e-3, -2},
+                             {1.5e-3, 0, 0.1e-3, 1},
+                             {2.3e-3, -0.1, 1.1e-3, 0}};
+  for (const double *of : cases)
+    for (int kind = 0; kind < 6; kind++) {
+      Alone engine;
+      engine.least = engine.most = 2 * r;
+      const char *const laws[] = {"constant 1 1", "constant 0.5 0.9",
+                                  "constant 0.9 0.9 surface rq 1e-5 lambda_c 1e-4"};
+      const std::string words = std::string("deposit off rebound ") + laws[kind % 3];
+      Shapes shapes;
+      shapes.push_back(triangle_across(up));
+      shapes.push_back(triangle_across(up));
+      MeshShape *upper = static_cast<MeshShape *>(shapes[1].get());
+      Frame frame;
+      Twist twist;
+      frame.shift[2] = of[0];
+      twist.linear[2] = of[1];
+      upper->motion().settle(frame, false);
+      upper->motion().set_last(twist);
+      for (ShapePtr &shape : shapes)
+        static_cast<MeshShape *>(shape.get())->set_images(Box());
+      std::vector<std::unique_ptr<Wall>> walls;
+      if (kind < 3)
+        walls.push_back(make_wall(engine, std::move(shapes), words, 1));
+      else
+        for (ShapePtr &shape : shapes)
+          walls.push_back(make_wall(engine, std::move(shape), words, 1));
+      Grains grains(1, r, dt);
+      grains.spins = true;
+      grains.x[2] = of[2];
+      grains.v[2] = of[3];
+      std::vector<Wall *> all;
+      for (const std::unique_ptr<Wall> &wall : walls)
+        all.push_back(wall.get());
+      grains.begin(all);
+      const bool closes = fabs(of[1]) > 0;
+      double guarded = 0, impacts = 0;
+      for (int step = 1; step <= 1000; step++) {
+        double now = 0, hits = 0;
+        frame.shift[2] += of[1] * dt;
+        upper->motion().advance(frame, twist, dt);
+        upper->set_images(Box());
+        grains.fly(1);
+        for (Wall *wall : all) {
+          now += wall->books.counter(Books::N_GUARDED);
+          hits += wall->books.counter(Books::N_IMPACTS);
+        }
+        if (step > 310) {
+          assert_true(near(grains.v[2], 0.5 * of[1], 1e-12) && !(hits > impacts));
+          assert_true(!closes || (near(grains.x[2], 0.5 * frame.shift[2], 1e-7) && now > guarded));
+        }
+        guarded = now;
+        impacts = hits;
+      }
+      assert_true(guarded > 0 && impacts < 50);
+    }
 }
 
 /* A prediction allows for as much straying as goes unnoticed: by three components at once. */
@@ -756,6 +826,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(the_last_contact_may_stick),
       cmocka_unit_test(numbers_take_one_reduction),
       cmocka_unit_test(rounding_is_not_guarded),
+      cmocka_unit_test(narrow_places_hold_grains),
       cmocka_unit_test(straying_grains_are_met),
       cmocka_unit_test(bent_ways_are_met),
       cmocka_unit_test(grains_slide_inside_cylinders),
