@@ -71,6 +71,9 @@ CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 
 void *cli_allocate(size_t count, size_t size);
 char *cli_copy(const char *text);
 
+/* An array of so many things with room for one more, where every one was added by this. */
+void *cli_grow(void *array, size_t count, size_t size);
+
 /* Exits where something that a library call gave is not good, with its message: exit 2, 1 where
  * there is no memory for it. */
 void cli_must(bool good, const asp_error *error);

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A triangle and its sums. */
+/* What an impact, or all of a triangle, wore off. */
 typedef struct cell {
   int mesh, triangle;
   double impacts, mass;
@@ -19,7 +19,7 @@ typedef struct cell {
 
 typedef struct wear {
   cell *cells;
-  size_t count, room;
+  size_t count;
   const char *path;
   const aspi_erosion *law; /* NULL: the ledger's own column */
   double wall_density;     /* 0: the law has it */
@@ -31,38 +31,6 @@ static int by_place(const void *left, const void *right) {
   const cell *a = left, *b = right;
   return a->mesh != b->mesh ? (a->mesh > b->mesh) - (a->mesh < b->mesh)
                             : (a->triangle > b->triangle) - (a->triangle < b->triangle);
-}
-
-/* Sorts the cells and makes one of those of a triangle. */
-static void merge(wear *w) {
-  size_t last = 0;
-  if (w->count == 0)
-    return;
-  qsort(w->cells, w->count, sizeof *w->cells, by_place);
-  for (size_t i = 1; i < w->count; i++)
-    if (by_place(&w->cells[last], &w->cells[i]) == 0) {
-      w->cells[last].impacts += w->cells[i].impacts;
-      w->cells[last].mass += w->cells[i].mass;
-    } else {
-      w->cells[++last] = w->cells[i];
-    }
-  w->count = last + 1;
-}
-
-/* Room for one more cell: by merging, and twice as much where that frees less than half. */
-static void make_room(wear *w) {
-  if (w->count < w->room)
-    return;
-  merge(w);
-  if (2 * w->count < w->room)
-    return;
-  size_t room = w->room ? 2 * w->room : 4096;
-  cell *cells = cli_allocate(room, sizeof *cells);
-  if (w->count)
-    memcpy(cells, w->cells, w->count * sizeof *cells);
-  free(w->cells);
-  w->cells = cells;
-  w->room = room;
 }
 
 static double worn_by_law(const wear *w, const double of[], double mass) {
@@ -81,7 +49,7 @@ static void add_row(wear *w, const double of[]) {
                   "particles by --density or 'materials'",
                   w->path);
   double worn = w->law ? worn_by_law(w, of, mass) : of[ERODED];
-  make_room(w);
+  w->cells = cli_grow(w->cells, w->count, sizeof *w->cells);
   w->cells[w->count++] = (cell){(int)of[MESH], (int)of[TRIANGLE], 1, worn};
 }
 
@@ -100,32 +68,39 @@ static void read_ledger(wear *w) {
   double of[SCATTER_COLUMNS];
   while (cli_scatter_row(&ledger, of))
     add_row(w, of);
-  merge(w);
+  if (w->count > 0)
+    qsort(w->cells, w->count, sizeof *w->cells, by_place);
 }
 
-static void print_sum(FILE *out, const cell *sum) {
-  fprintf(out, "%.0f,%.10g\n", sum->impacts, sum->mass);
+static void add(cell *to, const cell *more) {
+  to->impacts += more->impacts;
+  to->mass += more->mass;
+}
+
+static void print_sum(FILE *out, const char *mesh, const char *triangle, const cell *sum) {
+  fprintf(out, "%s,%s,%.0f,%.10g\n", mesh, triangle, sum->impacts, sum->mass);
 }
 
 static void print_all(FILE *out, const wear *w) {
-  cell mesh = {.mesh = 0}, all = {.mesh = 0};
+  cell triangle = {.mesh = 0}, mesh = {.mesh = 0}, all = {.mesh = 0};
   fputs("mesh,triangle,impacts,eroded_mass_kg\n", out);
-  for (size_t i = 0; i < w->count; i++) {
-    const cell *c = &w->cells[i];
-    fprintf(out, "%d,%d,", c->mesh, c->triangle);
-    print_sum(out, c);
-    mesh.impacts += c->impacts;
-    mesh.mass += c->mass;
-    if (i + 1 < w->count && c[1].mesh == c->mesh)
+  for (const cell *c = w->cells, *end = c + w->count; c < end; c++) {
+    char names[2][16];
+    snprintf(names[0], sizeof names[0], "%d", c->mesh);
+    snprintf(names[1], sizeof names[1], "%d", c->triangle);
+    add(&triangle, c);
+    if (c + 1 < end && by_place(c, c + 1) == 0)
       continue;
-    fprintf(out, "%d,all,", c->mesh);
-    print_sum(out, &mesh);
-    all.impacts += mesh.impacts;
-    all.mass += mesh.mass;
+    print_sum(out, names[0], names[1], &triangle);
+    add(&mesh, &triangle);
+    triangle = (cell){.mesh = 0};
+    if (c + 1 < end && c[1].mesh == c->mesh)
+      continue;
+    print_sum(out, names[0], "all", &mesh);
+    add(&all, &mesh);
     mesh = (cell){.mesh = 0};
   }
-  fputs("all,all,", out);
-  print_sum(out, &all);
+  print_sum(out, "all", "all", &all);
 }
 
 /* The law, and what it needs besides the rows. */

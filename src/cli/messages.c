@@ -60,6 +60,15 @@ void *cli_allocate(size_t count, size_t size) {
   return memory;
 }
 
+void *cli_grow(void *array, size_t count, size_t size) {
+  if ((count & (count - 1)) != 0) /* full: 0, 1, 2, 4, 8, ... */
+    return array;
+  array = realloc(array, (count ? 2 * count : 1) * size);
+  if (!array)
+    cli_fail("out of memory for over %zu numbers or rows of %zu bytes", count, size);
+  return array;
+}
+
 char *cli_copy(const char *text) {
   return strcpy(cli_allocate(strlen(text) + 1, 1), text);
 }

@@ -329,12 +329,7 @@ static double cor_t_space(const double v[], const aspi_scatter_row *row) {
 }
 
 static void add_row(aspi_scatter *s, aspi_scatter_row row) {
-  if ((s->count & (s->count - 1)) == 0) {
-    size_t room = s->count ? 2 * s->count : 1;
-    s->rows = realloc(s->rows, room * sizeof *s->rows);
-    if (!s->rows)
-      cli_fail("out of memory for %zu rows", s->count);
-  }
+  s->rows = cli_grow(s->rows, s->count, sizeof *s->rows);
   s->deposits += row.deposit;
   s->rows[s->count++] = row;
 }

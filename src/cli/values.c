@@ -151,14 +151,6 @@ static int read_parts(const cli_option *option, char *text, const char *kind, do
   return count;
 }
 
-static void append(cli_list *list, double from, double step, size_t count) {
-  list->values = realloc(list->values, (list->count + count) * sizeof *list->values);
-  if (!list->values)
-    cli_fail("out of memory for a list of %zu numbers", list->count + count);
-  for (size_t i = 0; i < count; i++)
-    list->values[list->count++] = from + (double)i * step;
-}
-
 static cli_list read_law(const cli_option *option, const char *kind, double least, double most) {
   double v[3];
   char *text = cli_copy(option->value + strlen(LAW));
@@ -179,7 +171,10 @@ cli_list cli_values(const cli_option *option, const char *kind, double least, do
     double steps = parts == 1 ? 0 : floor((v[1] - v[0]) / v[2] + ASPI_ROUNDING_TEXT);
     if (parts == 2 || !(v[2] > 0 || parts == 1) || !(steps >= 0 && steps <= STEPS_MOST))
       fail_form(option, "a range has from <= to, a step > 0, and at most 1e6 steps");
-    append(&list, v[0], v[2], (size_t)steps + 1);
+    for (size_t i = 0; i <= (size_t)steps; i++) {
+      list.values = cli_grow(list.values, list.count, sizeof *list.values);
+      list.values[list.count++] = v[0] + (double)i * v[2];
+    }
   }
   gsl_stats_minmax(&list.least, &list.most, list.values, 1, list.count);
   return list;
