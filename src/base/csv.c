@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/csv.h"
 #include "base/error.h"
-#include "base/file.h"
 #include "base/units.h"
 
 #include <math.h>

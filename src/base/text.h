@@ -10,6 +10,10 @@
 
 enum { ASP_TEXT_MOST = 4096 };
 
+/* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds is
+ * copied to a temporary file first. `-` is standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
+FILE *aspi_file_open(const char *path, asp_error *error);
+
 typedef struct aspi_text {
   FILE *stream;
   const char *path; /* for messages */

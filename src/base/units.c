@@ -1,18 +1,21 @@
-/* Units by the names that people and instruments give them, and where the header of a text file
- * states those of length.
+/* Units by the names that people and instruments give them, and numbers that carry one; see
+ * units.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 #include "base/error.h"
+#include "base/number.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 /* Behind the Latin names those in UTF-8 and Latin-1, with a micro sign or a Greek mu. */
-static const aspi_unit units[] = {
+static const aspi_unit known[] = {
     {"length", "m meter meters metre metres", 0, 1, 0, true},
     {"length", "cm", -2, 1, 0, true},
     {"length", "mm millimeter millimeters millimetre millimetres", -3, 1, 0, true},
@@ -50,19 +53,111 @@ static const aspi_unit units[] = {
     {"unread", "% percent pct km/h kmh mph ft/s ft gon grad h s", 0, 0, 0, false},
 };
 
-const aspi_unit *aspi_unit_at(size_t index) {
-  return index < sizeof units / sizeof *units ? &units[index] : NULL;
-}
-
 const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t length, bool exact) {
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if ((!kind || strcmp(units[i].kind, kind) == 0) &&
-        aspi_word_index(units[i].names, name, length, exact || length == 1) >= 0)
-      return &units[i];
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if ((!kind || strcmp(known[i].kind, kind) == 0) &&
+        aspi_word_index(known[i].names, name, length, exact || length == 1) >= 0)
+      return &known[i];
   return NULL;
 }
 
 double aspi_unit_meters(const char *name, size_t length) {
   const aspi_unit *u = aspi_unit_find("length", name, length, false);
   return u ? u->factor * pow(10, u->exponent) : 0;
+}
+
+/* ---- numbers with units ---- */
+
+/* The kinds of quantities that have powers of meter, kilogram and second in their units. */
+static const struct {
+  const char *name;
+  int meter, kilogram, second;
+} kinds[] = {
+    {"length", 1, 0, 0},        {"speed", 1, 0, -1},       {"stress", -1, 1, -2},
+    {"density", -3, 1, 0},      {"energy/area", 0, 1, -2}, {"stress/speed", -2, 1, -1},
+    {"length2/time", 2, 0, -1},
+};
+
+static double power(double base, int exponent) {
+  double made = 1;
+  for (; exponent > 0; exponent--)
+    made *= base;
+  return made;
+}
+
+double aspi_quantity_factor(const char *kind, const asp_units *units) {
+  double m = units->meter, kg = units->kilogram, s = units->second;
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+    int of_m = kinds[i].meter, of_kg = kinds[i].kilogram, of_s = kinds[i].second;
+    if (strcmp(kinds[i].name, kind) != 0)
+      continue;
+    double below = power(m, -of_m) * power(kg, -of_kg) * power(s, -of_s);
+    return m > 0 && kg > 0 && s > 0 ? power(kg, of_kg) * power(m, of_m) * power(s, of_s) / below
+                                    : 0;
+  }
+  return 1;
+}
+
+void aspi_quantity_units(const char *kind, char *list, size_t size) {
+  *list = '\0';
+  for (const aspi_unit *u = known; u < known + sizeof known / sizeof *known; u++)
+    if (u->listed && strcmp(u->kind, kind) == 0)
+      aspi_append(list, size, "%s%.*s", *list ? " " : "", (int)strcspn(u->names, " "), u->names);
+}
+
+asp_code aspi_quantity_check(const char *name, const char *text, const char *kind, double value,
+                             double least, double most, bool above, asp_error *error) {
+  if (isfinite(value) && value <= most && (above ? value > least : value >= least))
+    return ASP_OK;
+  char units[120];
+  aspi_quantity_units(kind, units, sizeof units);
+  const int length = (int)strcspn(units, " ");
+  if (isinf(most))
+    return aspi_fail(error, ASP_EARG, "%s is %.100s; it must be a finite number %s %g", name, text,
+                     above ? ">" : ">=", least);
+  return aspi_fail(error, ASP_EARG, "%s is %.100s; it must be %g to %g%s%.*s", name, text, least,
+                   most, length > 0 ? " " : "", length, units);
+}
+
+/* The first `length` characters as a number, times 10^exponent, rounded once. */
+static double shifted(const char *text, size_t length, int exponent) {
+  char copy[80], *end;
+  if (length >= 60 || strspn(text, "+-.0123456789eE") < length)
+    return aspi_number(text, &end) * pow(10, exponent);
+  size_t mantissa = strcspn(text, "eE");
+  long own = mantissa < length ? strtol(text + mantissa + 1, NULL, 10) : 0;
+  mantissa = mantissa < length ? mantissa : length;
+  snprintf(copy, sizeof copy, "%.*se%ld", (int)mantissa, text, own + exponent);
+  return aspi_number(copy, &end);
+}
+
+static asp_code fail_unit(const char *name, const char *text, const char *kind, bool is_number,
+                          asp_error *error) {
+  char list[120];
+  aspi_quantity_units(kind, list, sizeof list);
+  if (!*list)
+    return aspi_fail(error, ASP_EARG, "%s is '%.100s'; it must be a number", name, text);
+  if (!is_number)
+    return aspi_fail(error, ASP_EARG,
+                     "%s is '%.100s'; it must be a number, behind which there may be one of: %s",
+                     name, text, list);
+  return aspi_fail(error, ASP_EARG, "%s is '%.100s'; its unit must be one of: %s", name, text,
+                   list);
+}
+
+asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
+                            const asp_units *units, double *value, asp_error *error) {
+  char *end;
+  *value = aspi_number(text, &end);
+  if (end > text && !*end)
+    return ASP_OK;
+  const aspi_unit *u = end > text ? aspi_unit_find(kind, end, strlen(end), true) : NULL;
+  if (!u)
+    return fail_unit(name, text, kind, end > text, error);
+  double factor = aspi_quantity_factor(kind, units);
+  if (!(factor > 0))
+    return aspi_fail(error, ASP_EARG, "%s is '%.100s', which cannot be converted to %s", name, text,
+                     units->name);
+  *value = (shifted(text, (size_t)(end - text), u->exponent) * u->factor + u->offset) * factor;
+  return ASP_OK;
 }

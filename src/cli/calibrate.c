@@ -5,10 +5,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/calibrate.h"
 #include "base/number.h"
-#include "base/quantity.h"
+#include "base/units.h"
 #include "cli/description.h"
 #include "cli/scatter.h"
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "description/description.h"
 #include "rebound/laws.h"
 

@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "cli/help.h"
+#include "cli/cli.h"
 #include "description/description.h"
 
 #include <ctype.h>

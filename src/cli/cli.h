@@ -91,7 +91,7 @@ typedef struct cli_list {
  * 5 Pa, and its unit was forgotten. */
 void cli_check_unit(const char *name, const char *text, const char *kind);
 
-/* The option's value, which must have been given, as a number of a kind (see base/quantity.h) with
+/* The option's value, which must have been given, as a number of a kind (see base/units.h) with
  * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
 double cli_quantity(const cli_option *option, const char *kind, double least, double most);
 double cli_number(const cli_option *option, double least, double most);
@@ -158,5 +158,21 @@ void cli_progress_end(cli_progress *progress);
 /* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
  * file that cannot be written. cli_parse asks before any work is done. */
 void cli_plot_check(const cli_call *call);
+
+/* Opens the table of a command: a temporary file with --plot, else the output. cli_table_close
+ * draws it by a script, "cor" for plot/cor.gp, and copies it to the output. */
+FILE *cli_table_open(const cli_call *call, const char *description);
+void cli_table_close(const cli_call *call, FILE *table, const char *script);
+
+/* The same for a table that is drawn and not printed. */
+FILE *cli_plot_open(const cli_call *call);
+void cli_plot_close(const cli_call *call, FILE *table, const char *script);
+
+/* Prints the help on one command, or on all (a list that ends with NULL). */
+void cli_help_command(const cli_command *command, const cli_option *options);
+void cli_help_all(const cli_command *const *commands);
+
+/* Prints the words that describe a wall, from their table. */
+void cli_help_wall(void);
 
 #endif

@@ -6,7 +6,7 @@
 #include "base/running.h"
 #include "base/stream.h"
 #include "cli/description.h"
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "description/description.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "cli/scatter.h"
 #include "description/description.h"
 

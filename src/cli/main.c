@@ -1,7 +1,7 @@
 /* The `asperity` command: a list of subcommands, one file each.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/help.h"
+#include "cli/cli.h"
 #include "base/error.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,9 +1,9 @@
 /* Pictures by gnuplot: the table in a temporary folder, the script that draws it, and a copy of the
- * picture; see plot.h. The title reaches gnuplot as an argument of the script, which is
+ * picture; see cli.h. The title reaches gnuplot as an argument of the script, which is
  * never read as a command, and it reads no start-up files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "base/error.h"
 
 #include <ctype.h>

@@ -4,7 +4,7 @@
 #include "cli/scatter.h"
 #include "base/error.h"
 #include "base/number.h"
-#include "base/quantity.h"
+#include "base/units.h"
 #include "base/tolerances.h"
 
 #include <ctype.h>

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/running.h"
 #include "cli/description.h"
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "description/description.h"
 #include "surface/size_law.h"
 

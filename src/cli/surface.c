@@ -1,7 +1,7 @@
 /* asperity surface: what a particle of a given size finds on a wall, generated or measured.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "cli/surface.h"
 #include "description/description.h"
 #include "base/error.h"

@@ -2,7 +2,7 @@
  * finds on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "cli/surface.h"
 #include "surface/ball.h"
 #include "surface/describe.h"

@@ -6,7 +6,7 @@
 #include "analysis/judge.h"
 #include "cli/description.h"
 #include "description/description.h"
-#include "cli/plot.h"
+#include "cli/cli.h"
 #include "spread/models.h"
 
 #include <math.h>

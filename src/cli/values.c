@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/number.h"
-#include "base/quantity.h"
+#include "base/units.h"
 #include "base/text.h"
 #include "base/tolerances.h"
 #include "cli/cli.h"

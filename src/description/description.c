@@ -4,7 +4,6 @@
 #include "description/description.h"
 #include "base/units.h"
 #include "base/error.h"
-#include "base/quantity.h"
 
 #include <math.h>
 #include <stdio.h>

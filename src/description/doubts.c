@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/units.h"
 #include "description/description.h"
 #include "readers/read.h"
 #include "rebound/laws.h"

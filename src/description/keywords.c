@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/units.h"
 #include "spread/sizes.h"
 
 #include <limits.h>

@@ -1,7 +1,7 @@
 /* The clauses that name a model or a law, and the parameters of a law.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/quantity.h"
+#include "base/units.h"
 #include "description/words.h"
 
 #include <math.h>

@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 #include "base/number.h"
-#include "base/quantity.h"
 #include "description/words.h"
 #include "surface/instrument.h"
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/words.h"
 #include "base/number.h"
-#include "base/quantity.h"
+#include "base/units.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -165,7 +165,9 @@ void aspi_line_value(aspi_line *l, const asp_description *d, const char *name, c
   bool is_si = !(d->units.meter < 1) && !(d->units.meter > 1);
   bool length = is_si && strcmp(kind, "length") == 0 && isfinite(value) && value > 1e-3;
   char text[48] = "fit=", *number = text + strlen(text);
-  (length ? aspi_quantity_print_length : aspi_number_print)(value, number);
+  aspi_number_print(value, number);
+  if (length)
+    strcat(number, "m");
   if (is_si && strcmp(kind, "stress") == 0 && value > 0 && value < 1e6)
     strcat(number, "Pa");
   aspi_line_word(l, !aspi_is_fit(d, name) ? number : isnan(value) ? "fit" : text);

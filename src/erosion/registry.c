@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/units.h"
 
 #define ADDRESS(name) &aspi_erosion_##name,
 static const aspi_erosion_law *const laws[] = {ASPI_EROSION_LAWS(ADDRESS)};

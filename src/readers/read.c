@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
-#include "base/file.h"
+#include "base/text.h"
 #include "surface/heights.h"
 
 #include <math.h>

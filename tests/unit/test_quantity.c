@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number.h"
-#include "base/quantity.h"
+#include "base/units.h"
 #include "check.h"
 
 #include <stdlib.h>
