@@ -106,28 +106,12 @@ typedef enum aspi_format {
 } aspi_format;
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
-/* The readers of a text at its beginning: a profile's columns, SDF, and a map as a matrix of
- * heights or lines of x, y, z. They leave raw->z to be freed by the caller, on error too. */
+/* The readers of a text at its beginning: columns, or SDF. They leave raw->z to be freed by the
+ * caller, on error too. */
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error);
 asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
                        aspi_raw *raw, asp_error *error);
-asp_code aspi_read_map_text(const aspi_text *text, const aspi_profile_options *options,
-                            aspi_raw *raw, asp_error *error);
-
-/* Points of a map in x, y and z, as they come. */
-enum { ASP_MAP_AXES = 3 };
-typedef struct aspi_map_points {
-  double (*at)[ASP_MAP_AXES];
-  size_t count, room;
-} aspi_map_points;
-
-asp_code aspi_map_points_add(aspi_map_points *points, const double point[ASP_MAP_AXES],
-                             asp_error *error);
-
-/* Puts them on their grid; unit: meters in one of each axis. ASP_EDATA where there is none. */
-asp_code aspi_map_points_place(const aspi_map_points *points, const char *path,
-                               const double unit[ASP_MAP_AXES], aspi_raw *raw, asp_error *error);
 
 /* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
  * into the report. */

@@ -1,0 +1,35 @@
+/* Points of a measured wall as a file has them, and their places on a line or a grid.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_READERS_POINTS_H
+#define ASP_READERS_POINTS_H
+
+#include "readers/read.h"
+
+/* x and y in the file's units, the height in m. */
+typedef struct aspi_point {
+  double x, y, z;
+  size_t line;
+} aspi_point;
+
+typedef struct aspi_points {
+  aspi_point *list; /* for the caller to free */
+  size_t count, room;
+  int decimals, digits; /* the most that any position is written with */
+} aspi_points;
+
+asp_code aspi_points_add(aspi_points *points, aspi_point point, asp_error *error);
+
+/* Takes in how finely a position is written. */
+void aspi_points_precision(aspi_points *points, const char *written);
+
+/* Put the points at equal spacing on a line, or on their grid, into `raw`; unit: meters in one of x
+ * and y. On a line in x and y (`in_plane`) a position is the distance from the first point. Heights
+ * are those of the file where positions are equally spaced but for rounding, else between them,
+ * which `resample` must allow. ASP_EDATA where there is no line or grid. */
+asp_code aspi_points_line(aspi_points *points, const char *path, const double unit[2],
+                          bool in_plane, bool resample, aspi_raw *raw, asp_error *error);
+asp_code aspi_points_grid(const aspi_points *points, const char *path, const double unit[2],
+                          aspi_raw *raw, asp_error *error);
+
+#endif
