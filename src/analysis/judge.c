@@ -6,8 +6,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "spread/flight.h"
-#include "surface/closing.h"
-#include "surface/heights.h"
+#include "surface/rolling.h"
 
 #include <math.h>
 #include <stdlib.h>

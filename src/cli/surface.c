@@ -6,7 +6,7 @@
 #include "description/description.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/describe.h"
 #include "surface/size_law.h"
 #include "surface/slopes.h"
@@ -181,11 +181,6 @@ static void save(const cli_call *call, const asp_heights *profile) {
 
 /* ---- the slopes ---- */
 
-/* The curve on which discs roll: through the points if the profile is measured, else the points. */
-static aspi_contact contact_of(const wall_profile *wall) {
-  return wall->name ? ASP_CONTACT_ROLLED : ASP_CONTACT_DILATION;
-}
-
 static double kappa_of(const slopes_row *row) {
   return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
 }
@@ -199,8 +194,7 @@ static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row 
   for (size_t i = 0; i < sizes->count; i++) {
     asp_error own = {ASP_OK, ""};
     rows[i] = (slopes_row){.d_p = sizes->values[i], .r_q = wall->r_q, .lambda_c = wall->lambda_c};
-    aspi_profile_describe_slopes(wall->profile, rows[i].d_p, contact_of(wall), &rows[i].slopes,
-                                 &own);
+    aspi_profile_describe_slopes(wall->profile, rows[i].d_p, &rows[i].slopes, &own);
 #pragma omp critical
     {
       if (own.code)
@@ -239,20 +233,19 @@ enum { DRAWN_MOST = 1 << 16 };
 
 static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
   size_t n = wall->profile->columns, tilts;
-  double *center = cli_allocate(n, sizeof *center), *closed = cli_allocate(n, sizeof *closed),
-         *slope = cli_allocate(n, sizeof *slope), dx = wall->profile->step[0];
+  double *slope = cli_allocate(n, sizeof *slope), dx = wall->profile->step[0];
   asp_error error;
-  if (aspi_profile_dilate(wall->profile, d_p, center, &error) ||
-      aspi_profile_close(wall->profile, d_p, closed, &error) ||
-      aspi_profile_slopes(wall->profile, d_p, contact_of(wall), slope, &tilts, &error))
+  asp_heights *center = aspi_profile_rolled(wall->profile, d_p, 1, &error);
+  asp_heights *closed = center ? aspi_profile_closed(wall->profile, d_p, &error) : NULL;
+  if (!closed || aspi_profile_slopes(wall->profile, d_p, slope, &tilts, &error))
     cli_fail("%s", error.text);
   FILE *out = cli_plot_open(call);
   fputs("x_um,z_um,closed_um,center_um,tilt_deg\n", out);
   for (size_t i = 0; i < n && i < DRAWN_MOST; i++)
     cli_row(out, "%.9g,%.6g,%.6g,%.6g,%.6g\n", (double)i * dx * 1e6, wall->profile->z[i] * 1e6,
-            closed[i] * 1e6, center[i] * 1e6, i < tilts ? aspi_degrees(atan(slope[i])) : NAN);
-  free(center);
-  free(closed);
+            closed->z[i] * 1e6, center->z[i] * 1e6, i < tilts ? aspi_degrees(atan(slope[i])) : NAN);
+  asp_heights_free(center);
+  asp_heights_free(closed);
   free(slope);
   cli_plot_close(call, out, "profile");
 }

@@ -7,8 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
-#include "surface/closing.h"
-#include "surface/heights.h"
+#include "surface/rolling.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -83,14 +82,12 @@ static asp_code take_out_tip(double *heights, size_t points, double spacing, dou
                              asp_error *error) {
   for (size_t i = 0; i < points; i++)
     heights[i] = -heights[i];
-  asp_heights *below = asp_heights_create(heights, points, 1, spacing, spacing, false, error);
-  if (!below)
-    return ASP_EDATA;
-  asp_code code = aspi_profile_dilate(below, 2 * radius, heights, error);
-  asp_heights_free(below);
-  for (size_t i = 0; i < points; i++)
-    heights[i] = radius - heights[i];
-  return code;
+  asp_heights below = {points, 1, {spacing, spacing}, false, heights};
+  asp_heights *path = aspi_profile_rolled(&below, 2 * radius, 1, error);
+  for (size_t i = 0; path && i < points; i++)
+    heights[i] = radius - path->z[i];
+  asp_heights_free(path);
+  return path ? ASP_OK : ASP_ENOMEM;
 }
 
 static asp_code check(const char *name, double length, double least, double most,

@@ -9,8 +9,7 @@
 #include "spread/flight.h"
 #include "base/error.h"
 #include "surface/ball.h"
-#include "surface/closing.h"
-#include "surface/heights.h"
+#include "surface/rolling.h"
 
 #include <float.h>
 #include <math.h>

@@ -11,8 +11,7 @@
 #include "base/error.h"
 #include "spread/flight.h"
 #include "spread/models.h"
-#include "surface/closing.h"
-#include "surface/heights.h"
+#include "surface/rolling.h"
 
 #include <math.h>
 #include <stdlib.h>

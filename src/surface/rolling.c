@@ -1,23 +1,27 @@
 /* The path of the center of a disc over the smooth curve through a profile's points. The disc
  * touches the curve, not only the points: where it touches at x with slope p, its center is at
  * x - r sin(atan p), z + r cos(atan p), and has the slope p. The path is the upper envelope of
- * these places. (Dilation, closing.c, takes the points as the whole profile: the slopes that a disc
- * of a few spacings meets then crowd at multiples of the spacing over its radius.)
+ * these places. (A dilation that takes the points as the whole profile has slopes that crowd at
+ * multiples of the spacing over the radius.)
  *
  * Between two points the curve is a cubic (Hermite), with slopes by differences of fourth order. A
  * point at which the chords make a sharp bend, as at dust or the edge of a pore, is a corner: no
  * curve is laid through it, and the disc turns about it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/closing.h"
-#include "surface/heights.h"
+#include "surface/rolling.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* The bend of two chords, or of a piece of the path, that is sharp: difference of slopes. None
- * of the roughest generated profiles has one. */
+/* The bend of two chords that is sharp: difference of slopes. None of the roughest generated
+ * profiles has one. */
 #define SHARP 0.75
+
+/* The arc between two places of the center is a parabola if its width times the square of its bend,
+ * in points of the path, is below this: the error is a tenth of it. */
+#define SLIGHT 1e-3
 
 /* If slopes of fourth and second order differ by more than this, the curve is not smooth and second
  * order is used. */
@@ -72,9 +76,9 @@ static place center(const curve *c, double x, double z, double slope) {
 /* Height of the circular arc between two places above their chord at the part t of its width; for a
  * slight bend the first term of its series. */
 static double rise(double t, const place *from, const place *to) {
-  double width = to->x - from->x;
-  if (fabs(from->slope - to->slope) <= SHARP)
-    return 0.5 * width * t * (1 - t) * (from->slope - to->slope);
+  double width = to->x - from->x, bend = from->slope - to->slope;
+  if (width * bend * bend <= SLIGHT)
+    return 0.5 * width * t * (1 - t) * bend;
   double first = 1 / sqrt(1 + from->slope * from->slope),
          last = 1 / sqrt(1 + to->slope * to->slope);
   double sine = from->slope * first, turn = to->slope * last - sine, at = sine + t * turn;
@@ -153,24 +157,32 @@ asp_heights *aspi_profile_rolled(const asp_heights *profile, double d_p, int par
 /* Points of a path across the disc, up to the limit of points. */
 #define ACROSS 128.0
 
-/* With more points across the disc, the dilation of the points is as good as that of the curve, and
- * faster; a disc narrower than a spacing follows the points, too. */
-#define ACROSS_MOST 512.0
-
 asp_heights *aspi_profile_path(const asp_heights *profile, double d_p, size_t most,
                                asp_error *error) {
-  if (aspi_profile_check_disc(profile, d_p, error))
+  double length = aspi_heights_extent(profile).length;
+  if (aspi_check_positive(error, "d_p", "", d_p))
     return NULL;
-  size_t points = profile->columns;
-  double spacing = profile->step[0], across = d_p / spacing;
-  if (across >= 1 && across <= ACROSS_MOST) {
-    double parts = fmin(ceil(ACROSS / across), (double)(most / points));
-    return aspi_profile_rolled(profile, d_p, (int)fmax(1, parts), error);
-  }
-  double *path = aspi_allocate(points);
-  if (path && aspi_profile_dilate(profile, d_p, path, error)) {
-    free(path);
+  if (d_p > length) {
+    aspi_fail(error, ASP_EARG, "d_p is %g; it must be at most the profile's length of %g", d_p,
+              length);
     return NULL;
   }
-  return aspi_profile_adopt(path, points, spacing, profile->periodic, error);
+  double parts = fmin(ceil(ACROSS * profile->step[0] / d_p), (double)(most / profile->columns));
+  return aspi_profile_rolled(profile, d_p, (int)fmax(1, parts), error);
+}
+
+static void turn_over(asp_heights *profile) {
+  for (size_t i = 0; i < profile->columns; i++)
+    profile->z[i] *= -1;
+}
+
+asp_heights *aspi_profile_closed(const asp_heights *profile, double d_p, asp_error *error) {
+  asp_heights *path = aspi_profile_rolled(profile, d_p, 1, error);
+  if (path)
+    turn_over(path);
+  asp_heights *closed = path ? aspi_profile_rolled(path, d_p, 1, error) : NULL;
+  if (closed)
+    turn_over(closed);
+  asp_heights_free(path);
+  return closed;
 }

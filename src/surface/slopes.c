@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/slopes.h"
 #include "base/error.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/heights.h"
 
 #include <gsl/gsl_cdf.h>
@@ -57,52 +57,29 @@ double aspi_kl_normal(const double *values, size_t count, double mean, double sd
 /* Points of a path, unless its profile has more. */
 #define PATH_MOST ((size_t)1 << 21)
 
-/* The slopes of the path in the middle between the profile's points. */
-static asp_code rolled_slopes(const asp_heights *profile, double d_p, double *out,
-                              asp_error *error) {
+asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, double *out, size_t *count,
+                             asp_error *error) {
   asp_error wrong;
   asp_heights *path = aspi_profile_path(profile, d_p, PATH_MOST, &wrong);
   if (!path)
     return aspi_fail(error, wrong.code, "%s", wrong.text);
-  size_t points = profile->columns, fine = path->columns;
-  size_t parts = (size_t)lround(profile->step[0] / path->step[0]);
-  const double *z = path->z;
-  for (size_t i = 0; i < points; i++) {
+  size_t fine = path->columns, parts = (size_t)lround(profile->step[0] / path->step[0]);
+  *count = profile->periodic ? profile->columns : profile->columns - 1;
+  for (size_t i = 0; i < *count; i++) {
     size_t at = i * parts + parts / 2;
-    out[i] = (z[(at + 1) % fine] - z[at % fine]) / path->step[0];
+    out[i] = (path->z[(at + 1) % fine] - path->z[at % fine]) / path->step[0];
   }
   asp_heights_free(path);
   return ASP_OK;
 }
 
-static asp_code point_slopes(const asp_heights *profile, double d_p, double *out,
-                             asp_error *error) {
-  asp_code code = aspi_profile_dilate(profile, d_p, out, error);
-  if (code)
-    return code;
-  size_t points = profile->columns;
-  double first = out[0], spacing = profile->step[0];
-  for (size_t i = 0; i + 1 < points; i++)
-    out[i] = (out[i + 1] - out[i]) / spacing;
-  out[points - 1] = (first - out[points - 1]) / spacing;
-  return ASP_OK;
-}
-
-asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
-                             double *out, size_t *count, asp_error *error) {
-  size_t points = profile->columns;
-  *count = profile->periodic ? points : points - 1;
-  return contact == ASP_CONTACT_ROLLED ? rolled_slopes(profile, d_p, out, error)
-                                       : point_slopes(profile, d_p, out, error);
-}
-
-asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
-                                      aspi_slopes *slopes, asp_error *error) {
+asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_slopes *slopes,
+                                      asp_error *error) {
   size_t count = profile->columns;
   double *values = aspi_allocate(count);
   if (!values)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", count);
-  asp_code code = aspi_profile_slopes(profile, d_p, contact, values, &count, error);
+  asp_code code = aspi_profile_slopes(profile, d_p, values, &count, error);
   if (code == ASP_OK) {
     *slopes = (aspi_slopes){.slope = aspi_moments_of(values, count)};
     slopes->slope_rms = hypot(slopes->slope.mean, slopes->slope.sd);

@@ -25,16 +25,10 @@ void aspi_histogram(const double *values, size_t count, double mean, double sd,
  * independent values is about B/(2N) too high, where B is the number of bins that have values. */
 double aspi_kl_normal(const double *values, size_t count, double mean, double sd);
 
-/* Points of contact that are averaged over, for a uniformly spread center. */
-typedef enum aspi_contact {
-  ASP_CONTACT_ROLLED,  /* the smooth curve through the points: of a measured profile */
-  ASP_CONTACT_DILATION /* the points: of a generated profile, which are many */
-} aspi_contact;
-
-/* Slopes that a disc meets between neighboring points, into `out`; *count is how many there are:
- * the number of points, one less on a profile that is not periodic. */
-asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
-                             double *out, size_t *count, asp_error *error);
+/* Slopes that a rolling disc meets in the middle between neighboring points, into `out`; *count is
+ * how many there are: the number of points, one less on a profile that is not periodic. */
+asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, double *out, size_t *count,
+                             asp_error *error);
 
 /* The contact slopes of a profile for one particle size, in numbers. */
 typedef struct aspi_slopes {
@@ -43,7 +37,7 @@ typedef struct aspi_slopes {
   double kl_normal;          /* D_KL of the normal distribution with the angles' mean and sd */
 } aspi_slopes;
 
-asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_contact contact,
-                                      aspi_slopes *slopes, asp_error *error);
+asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_slopes *slopes,
+                                      asp_error *error);
 
 #endif

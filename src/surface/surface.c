@@ -171,7 +171,7 @@ static asp_code set_by_profile(asp_surface *surface, const asp_heights *profile,
   for (int i = 0; i < surface->nodes; i++) {
     aspi_slopes slopes;
     double d_p = fmin(fmax(asp_surface_bin_d_p(surface, i), d_min), d_max);
-    asp_code code = aspi_profile_describe_slopes(profile, d_p, ASP_CONTACT_ROLLED, &slopes, error);
+    asp_code code = aspi_profile_describe_slopes(profile, d_p, &slopes, error);
     if (code)
       return code;
     surface->value[i] = slopes.slope_rms;

@@ -1,5 +1,4 @@
-/* What a profile costs: closing over points and diameter, and against dilation and erosion by their
- * definition (on fewer points, whose time per point is the same); the law of the first hit over
+/* What a profile costs: a disc that rolls over it, over the diameter; the law of the first hit over
  * points and angle; what `traced` makes of a profile.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -7,12 +6,12 @@
 #include "bench.h"
 #include "spread/flight.h"
 #include "spread/models.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/heights.h"
 
 #include <math.h>
 
-enum { ROUNDS = 11, MILLION = 1000000, DIRECT_POINTS = 50000, REACH = 400 };
+enum { ROUNDS = 11, MILLION = 1000000 };
 
 /* Heights over points at a spacing of 1. */
 static asp_heights *wall_of(size_t points) {
@@ -29,88 +28,32 @@ static double *room_for(size_t points) {
   return room;
 }
 
-/* ---- closing ---- */
+/* ---- rolling ---- */
 
-typedef struct closing {
+typedef struct disc {
   const asp_heights *profile;
-  double d_p, *out;
-} closing;
+  double d_p;
+} disc;
 
-static void closings(void *context, size_t n) {
-  closing *c = context;
-  for (size_t i = 0; i < n; i++)
-    if (aspi_profile_close(c->profile, c->d_p, c->out, NULL))
-      abort();
-}
-
-static bench_work close_with(closing *c) {
-  return (bench_work){.run = closings, .context = c, .each = (double)c->profile->columns};
-}
-
-/* top(i) = max of z(i + k) + rise(|k|), as it is written. */
-static void by_definition(const double *z, ptrdiff_t n, const double *rise, double *top) {
-  for (ptrdiff_t i = 0; i < n; i++) {
-    ptrdiff_t first = i > REACH ? -REACH : -i, last = i + REACH < n ? REACH : n - 1 - i;
-    double most = z[i] + rise[0];
-    for (ptrdiff_t k = first; k <= last; k++) {
-      double here = z[i + k] + rise[k < 0 ? -k : k];
-      most = here > most ? here : most;
-    }
-    top[i] = most;
-  }
-}
-
-/* The same with the loops turned round, which a compiler can make vectors of. */
-static void by_shifts(const double *z, ptrdiff_t n, const double *rise, double *top) {
-  for (ptrdiff_t i = 0; i < n; i++)
-    top[i] = z[i] + rise[0];
-  for (ptrdiff_t k = 1; k <= REACH; k++) {
-    for (ptrdiff_t i = k; i < n; i++)
-      top[i] = top[i] > z[i - k] + rise[k] ? top[i] : z[i - k] + rise[k];
-    for (ptrdiff_t i = 0; i + k < n; i++)
-      top[i] = top[i] > z[i + k] + rise[k] ? top[i] : z[i + k] + rise[k];
-  }
-}
-
-typedef struct direct {
-  void (*dilate)(const double *z, ptrdiff_t n, const double *rise, double *top);
-  const double *z;
-  double *work, *out, rise[REACH + 1]; /* of a disc of radius REACH */
-} direct;
-
-static void direct_closings(void *context, size_t n) {
-  direct *d = context;
+static void roll(void *context, size_t n) {
+  disc *d = context;
   for (size_t i = 0; i < n; i++) {
-    d->dilate(d->z, DIRECT_POINTS, d->rise, d->work);
-    for (int k = 0; k < DIRECT_POINTS; k++)
-      d->work[k] = -d->work[k];
-    d->dilate(d->work, DIRECT_POINTS, d->rise, d->out);
+    asp_heights *path = aspi_profile_rolled(d->profile, d->d_p, 1, NULL);
+    if (!path)
+      abort();
+    asp_heights_free(path);
   }
 }
 
-static bench_work close_directly(direct *d) {
-  for (int k = 0; k <= REACH; k++)
-    d->rise[k] = sqrt((double)REACH * REACH - (double)k * k);
-  return (bench_work){.run = direct_closings, .context = d, .each = DIRECT_POINTS};
-}
-
-static void compare_closings(void) {
-  asp_heights *million = wall_of(MILLION), *some = wall_of(MILLION / 10);
-  double *out = room_for(MILLION), *work = room_for(MILLION);
-  closing c[] = {{million, 8, out}, {million, 80, out}, {million, 2 * REACH, out}, {some, 80, out}};
-  direct d[] = {{by_definition, million->z, work, out, {0}},
-                {by_shifts, million->z, work, out, {0}}};
-  bench_work w[] = {close_with(&c[0]), close_with(&c[1]),     close_with(&c[2]),
-                    close_with(&c[3]), close_directly(&d[0]), close_directly(&d[1])};
-  bench_run(w, 6, ROUNDS);
-  bench_ratio_row("closing of 1e6 points, d_p/dx 800 over 8, a point", &w[2], &w[0], "<=", 2);
-  bench_ratio_row("closing at d_p/dx 80, 1e6 over 1e5 points, a point", &w[1], &w[3], "<=", 2);
-  bench_ratio_row("direct dilation and erosion over closing, d_p/dx 800", &w[4], &w[2], ">=", 50);
-  bench_ratio_row("... in loops that the compiler makes vectors of", &w[5], &w[2], ">=", 1);
-  free(out);
-  free(work);
+static void compare_discs(void) {
+  asp_heights *million = wall_of(MILLION);
+  disc d[] = {{million, 8}, {million, 800}};
+  bench_work w[2];
+  for (int k = 0; k < 2; k++)
+    w[k] = (bench_work){.run = roll, .context = &d[k], .each = MILLION};
+  bench_run(w, 2, ROUNDS);
+  bench_ratio_row("disc over 1e6 points, d_p/dx 800 over 8, a point", &w[1], &w[0], "<=", 3);
   asp_heights_free(million);
-  asp_heights_free(some);
 }
 
 /* ---- first hit ---- */
@@ -185,7 +128,7 @@ static void time_set_up(void) {
 }
 
 int main(void) {
-  compare_closings();
+  compare_discs();
   compare_first_hits();
   time_set_up();
   return 0;

@@ -9,7 +9,7 @@
 #include "asperity_internal.h"
 #include "spread/ensemble.h"
 #include "spread/flight.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/heights.h"
 #include "surface/size_law.h"
 

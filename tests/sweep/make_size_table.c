@@ -41,7 +41,7 @@ static void add_profile(double phi_r, uint32_t seed, double sums[COLUMNS + 1]) {
     /* A disc smaller than the spacing filters nothing. */
     double d_p = i < COLUMNS ? SIZE_FIRST * pow(2, 0.5 * i) : 0.5 / PER_LAMBDA;
     size_t count;
-    if (aspi_profile_slopes(profile, d_p, ASP_CONTACT_DILATION, slopes, &count, &error))
+    if (aspi_profile_slopes(profile, d_p, slopes, &count, &error))
       fail(error.text);
     aspi_moments m = aspi_moments_of(slopes, count);
     sums[i] += m.mean * m.mean + m.sd * m.sd;

@@ -11,7 +11,7 @@
 #include "spread/flight.h"
 #include "wall/wall.h"
 #include "surface/ball.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/describe.h"
 #include "readers/read.h"
 #include "rebound/cor_table.h"
@@ -121,22 +121,20 @@ static asp_code describe(asp_error *error) {
 
 static asp_code describe_slopes(asp_error *error) {
   aspi_slopes slopes;
-  return aspi_profile_describe_slopes(profile, 20, ASP_CONTACT_ROLLED, &slopes, error);
+  return aspi_profile_describe_slopes(profile, 20, &slopes, error);
 }
 
 static double room[4000];
 
-static asp_code dilate(asp_error *error) {
-  return aspi_profile_dilate(profile, 20, room, error);
-}
-
 static asp_code close_profile(asp_error *error) {
-  return aspi_profile_close(profile, 20, room, error);
+  asp_heights *made = aspi_profile_closed(profile, 20, error);
+  asp_heights_free(made);
+  return code_of(made, error);
 }
 
 static asp_code slopes(asp_error *error) {
   size_t count;
-  return aspi_profile_slopes(profile, 20, ASP_CONTACT_DILATION, room, &count, error);
+  return aspi_profile_slopes(profile, 20, room, &count, error);
 }
 
 static asp_code field(asp_error *error) {
@@ -403,7 +401,6 @@ int main(void) {
       {"profile, from heights", copy_profile, true},
       {"profile described", describe, true},
       {"slopes described", describe_slopes, true},
-      {"dilation", dilate, true},
       {"closing", close_profile, true},
       {"slopes", slopes, true},
       {"field over a profile", field, true},

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
 #include "base/stream.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/size_law.h"
 #include "surface/heights.h"
 #include "surface/slopes.h"
@@ -76,13 +76,12 @@ static void slopes_of_a_wave(void **state) {
     values[i] = 0.02 * sin(2 * ASP_PI * i / 1000.);
   asp_heights *p = asp_heights_create(values, POINTS, 1, 0.001, 0.001, true, NULL);
   aspi_slopes s;
-  assert_int_equal(aspi_profile_describe_slopes(p, 0.01, ASP_CONTACT_DILATION, &s, NULL), ASP_OK);
+  assert_int_equal(aspi_profile_describe_slopes(p, 0.01, &s, NULL), ASP_OK);
   assert_near(s.slope_rms, 0.02 * 2 * ASP_PI / sqrt(2), 2e-5);
   assert_near(s.slope.mean, 0, 1e-12);
   assert_near(s.slope.kurtosis, -1.5, 0.01);
   size_t count;
-  assert_int_equal(aspi_profile_slopes(p, 0.01, ASP_CONTACT_DILATION, values, &count, NULL),
-                   ASP_OK);
+  assert_int_equal(aspi_profile_slopes(p, 0.01, values, &count, NULL), ASP_OK);
   assert_int_equal(count, POINTS);
   asp_heights_free(p);
 }
@@ -100,8 +99,8 @@ static void size_law_is_that_of_the_geometry(void **state) {
     asp_heights *p = aspi_profile_generate(cases[i].phi_r, 1, 1. / 128, POINTS, 11, NULL);
     asp_surface *s = asp_surface_create(cases[i].phi_r, 1, NULL);
     aspi_slopes all, some;
-    aspi_profile_describe_slopes(p, 0.004, ASP_CONTACT_DILATION, &all, NULL);
-    aspi_profile_describe_slopes(p, cases[i].size, ASP_CONTACT_DILATION, &some, NULL);
+    aspi_profile_describe_slopes(p, 0.004, &all, NULL);
+    aspi_profile_describe_slopes(p, cases[i].size, &some, NULL);
     double should = some.slope_rms / all.slope_rms;
     assert_near(asp_surface_slope(s, cases[i].size) / asp_surface_slope_rms(s), should,
                 cases[i].tolerance * should);

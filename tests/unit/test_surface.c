@@ -207,7 +207,7 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   for (int i = 0; i < BINS; i++) {
     aspi_slopes slopes;
     double d_p = asp_surface_bin_d_p(s, i);
-    aspi_profile_describe_slopes(p, fmin(d_p, 20), ASP_CONTACT_ROLLED, &slopes, NULL);
+    aspi_profile_describe_slopes(p, fmin(d_p, 20), &slopes, NULL);
     assert_near(asp_surface_slope(s, d_p), slopes.slope_rms, 1e-9);
     assert_near(asp_surface_bin_slope(s, i), slopes.slope_rms, 1e-9);
   }

@@ -6,7 +6,7 @@
 #include "analysis/judge.h"
 #include "spread/flight.h"
 #include "wall/wall.h"
-#include "surface/closing.h"
+#include "surface/rolling.h"
 #include "surface/heights.h"
 #include "surface/size_law.h"
 
@@ -176,36 +176,6 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   aspi_judge_free(&judge);
 }
 
-/* The path of a disc's center over a smooth profile, from few points, against the dilation of the
- * same profile by many: no slopes that crowd at multiples of the spacing. */
-static void discs_roll_over_curves(void **state) {
-  (void)state;
-  enum { N = 512, FINE = 64 };
-  double *z = malloc(N * FINE * sizeof *z), *path = malloc(N * FINE * sizeof *path), off = 0;
-  for (int i = 0; i < N * FINE; i++) {
-    double x = 2 * ASP_PI * i / (N * FINE);
-    z[i] = 0.0016 * sin(17 * x) + 0.0008 * cos(31 * x + 1) + 0.0004 * sin(43 * x);
-  }
-  asp_heights *fine =
-      asp_heights_create(z, N * FINE, 1, 1. / (N * FINE), 1. / (N * FINE), true, NULL);
-  for (int i = 0; i < N; i++)
-    z[i] = z[i * FINE];
-  asp_heights *coarse = asp_heights_create(z, N, 1, 1. / N, 1. / N, true, NULL);
-  for (double d_p = 0.002; d_p < 1; d_p *= 3) {
-    asp_heights *rolled = aspi_profile_rolled(coarse, d_p, 1, NULL);
-    aspi_profile_dilate(fine, d_p, path, NULL);
-    for (int i = 0; i < N; i++)
-      off = fmax(off, fabs(rolled->z[i] - path[i * FINE]));
-    asp_heights_free(rolled);
-  }
-  print_message("rolled, off by %.2g of a height of 0.0016\n", off);
-  assert_true(off < 2e-5);
-  asp_heights_free(fine);
-  asp_heights_free(coarse);
-  free(z);
-  free(path);
-}
-
 /* A plateau with valleys (heights of a Gaussian profile through a smooth function), measured with
  * `across` points across a particle of 1; one wall for all of them. */
 enum { ACROSS_FINE = 1024 };
@@ -271,11 +241,8 @@ static void few_points_across_are_enough(void **state) {
   (void)state;
   for (double lambda_c = 0.5; lambda_c < 3; lambda_c *= 4) {
     asp_heights *fine = plateau(lambda_c, ACROSS_FINE);
-    size_t n = fine->columns;
-    double *path = malloc(n * sizeof *path), reference[3][180];
-    assert_int_equal(aspi_profile_dilate(fine, 1, path, NULL), ASP_OK);
-    asp_heights *dilated =
-        asp_heights_create(path, n, 1, 1. / ACROSS_FINE, 1. / ACROSS_FINE, false, NULL);
+    double reference[3][180];
+    asp_heights *dilated = aspi_profile_rolled(fine, 1, 1, NULL);
     aspi_field line = field_over(dilated, 0);
     for (int k = 0; k < 3; k++)
       count_rebounds(&line, few[k] * DEGREE, reference[k]);
@@ -284,12 +251,10 @@ static void few_points_across_are_enough(void **state) {
     aspi_field_free(&line);
     asp_heights_free(dilated);
     asp_heights_free(fine);
-    free(path);
   }
 }
 
-/* The judge of a measured profile rolls, too: of one wall with few and with many points across, the
- * latter of which it dilates by points. */
+/* The judge of a measured profile rolls, too: of one wall with few and with many points across. */
 static void few_points_across_judge_as_many(void **state) {
   (void)state;
   double share[2][ASPI_ANGLE_BINS], mean[2];
@@ -402,7 +367,6 @@ int main(void) {
       cmocka_unit_test(paths_agree_with_brute_force),
       cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
       cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
-      cmocka_unit_test(discs_roll_over_curves),
       cmocka_unit_test(few_points_across_are_enough),
       cmocka_unit_test(few_points_across_judge_as_many),
       cmocka_unit_test(ensembles_agree_with_their_table),
