@@ -12,38 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROOM_FIRST = 4096 };
-
-asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error) {
-  if (raw->points == raw->room) {
-    size_t room = raw->room ? raw->room + raw->room / 2 : ROOM_FIRST;
-    double *grown = room <= SIZE_MAX / sizeof *grown ? realloc(raw->z, room * sizeof *grown) : NULL;
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for a %s of over %zu points",
-                       raw->is_map ? "map" : "profile", raw->points);
-    raw->z = grown;
-    raw->room = room;
-  }
-  raw->z[raw->points++] = height;
-  return ASP_OK;
-}
-
-size_t aspi_raw_count_bad(const aspi_raw *raw) {
-  size_t count = 0;
-  for (size_t i = 0; i < raw->points; i++)
-    count += isnan(raw->z[i]);
-  return count;
-}
-
-void aspi_raw_range(const aspi_raw *raw, double *least, double *most) {
-  *least = INFINITY;
-  *most = -INFINITY;
-  for (size_t i = 0; i < raw->points; i++) {
-    *least = fmin(*least, raw->z[i]);
-    *most = fmax(*most, raw->z[i]);
-  }
-}
-
 aspi_profile_options aspi_profile_options_default(void) {
   return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1};
 }
