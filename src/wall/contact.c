@@ -69,11 +69,12 @@ static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particl
 static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
                           const double v1[3], const double n[3], const asp_key *key,
                           asp_impact *impact) {
+  asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
-    asp_particle own = *particle;
-    own.pair = wall->pair;
-    return own.pair ? impact_on(wall, rough, &own, v1, n, key, impact)
-                    : fail_pair(particle, v1, impact);
+    if (!wall->pair)
+      return fail_pair(particle, v1, impact);
+    own = aspi_with_pair(wall, particle);
+    particle = &own;
   }
   aspi_stream stream = aspi_stream_begin(key);
   if (wall->lever > 0 && !particle->body)
@@ -149,7 +150,6 @@ void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
 
 asp_removal asp_wall_removal(const asp_wall *wall, const asp_particle *particle,
                              const asp_key *key) {
-  asp_particle own = *particle;
-  own.pair = own.pair ? own.pair : wall->pair;
+  asp_particle own = aspi_with_pair(wall, particle);
   return aspi_flow_removal(&wall->flow, &own, key);
 }

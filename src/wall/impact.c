@@ -140,36 +140,6 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
   store(!hit || local.z > 0 ? leaving(f, v2) : v2, impact->v2);
 }
 
-/* One hit; a face that would send the particle into the wall is drawn again. */
-static void bounce_once(const aspi_roughness *rough, const frame *f, aspi_stream *stream,
-                        asp_impact *impact) {
-  const asp_wall *wall = rough->wall;
-  const asp_particle *particle = rough->particle;
-  incidence now = incidence_at(rough, aspi_heading_of(rough, f), impact_angle(f), true);
-  for (int i = 0; i < ASP_HITS_MAX; i++) {
-    double delta;
-    if (!aspi_spread_draw(wall->spread, &now.view, stream, &delta))
-      continue;
-    face on = face_at(wall, &now.slopes, delta, NULL, stream);
-    vec local, spin = load(particle->omega);
-    bool deposit;
-    if (aspi_hit_rebound(wall, particle, f, on.m, !wall->isotropic, stream, &spin, &local,
-                         &deposit) &&
-        (deposit || local.z > 0)) {
-      impact->delta_alpha = delta;
-      impact->tilt_out = tilt_out(wall, &on);
-      impact->hits = 1;
-      impact->eroded = eroded_there(wall, particle, f, on.m);
-      impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-      store(deposit ? local : leaving(f, to_lab(f, local)), impact->v2);
-      store(spin, impact->omega);
-      return;
-    }
-  }
-  impact->capped = true;
-  bounce_off_mean_wall(wall, particle, f, stream, impact);
-}
-
 /* A particle on its way over a rough wall, from its first hit to its last. */
 typedef struct flight {
   const aspi_roughness *rough;
@@ -246,7 +216,8 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
   return aspi_spread_draw(borrows ? wall->upward : model, &fly->now.view, fly->stream, delta);
 }
 
-/* Hit after hit, until the particle leaves; `now` is at first the frame of v1. */
+/* Hit after hit, until the particle leaves; `now` is at first the frame of v1. Of single hits, a
+ * face that would send the particle into the wall is drawn again. */
 static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stream *stream,
                       asp_impact *impact) {
   const asp_wall *wall = rough->wall;
@@ -272,9 +243,12 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
       return;
     }
     face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
-    if (!aspi_hit_rebound(wall, particle, now, on.m, !wall->isotropic, stream, &spin, &local,
-                          &deposit))
+    vec turned = spin;
+    if (!aspi_hit_rebound(wall, particle, now, on.m, !wall->isotropic, stream, &turned, &local,
+                          &deposit) ||
+        !(wall->multiple || deposit || local.z > 0))
       continue;
+    spin = turned;
     if (impact->hits++ == 0) {
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
@@ -282,7 +256,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
     impact->eroded += eroded_there(wall, particle, now, on.m);
     v2 = to_lab(now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-    if (deposit || escapes(wall, &fly, local)) {
+    if (deposit || !wall->multiple || escapes(wall, &fly, local)) {
       store(deposit ? v2 : leaving(now, v2), impact->v2);
       store(spin, impact->omega);
       return;
@@ -311,10 +285,7 @@ static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *part
   aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
   if (!has_direction(f))
     choose_direction(&rough, f, stream);
-  if (wall->multiple)
-    bounce_on(&rough, v, f, stream, impact);
-  else
-    bounce_once(&rough, f, stream, impact);
+  bounce_on(&rough, v, f, stream, impact);
 }
 
 /* The velocity of the touching sphere. */
@@ -384,11 +355,8 @@ static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi
 bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                              const double n[3], double press, const asp_key *key,
                              asp_impact *impact) {
-  asp_particle own = *particle;
-  if (!particle->pair && wall->law->needs_pair) {
-    own.pair = wall->pair;
-    particle = &own;
-  }
+  asp_particle own = aspi_with_pair(wall, particle);
+  particle = &own;
   frame f = frame_of(touching(particle, load(v1)), load(n));
   if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))
     return false;

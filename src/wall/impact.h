@@ -7,6 +7,13 @@
 #include "wall/frame.h"
 #include "wall/wall.h"
 
+/* The particle with the wall's pair where it has none of its own. */
+static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_particle *particle) {
+  asp_particle own = *particle;
+  own.pair = own.pair ? own.pair : wall->pair;
+  return own;
+}
+
 /* An impact as asp_wall_impact has it, of a sphere or a body that has its pair, on the wall's faces
  * or, not `rough`, on the mean wall. */
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
