@@ -234,7 +234,7 @@ static const cli_command command = {
 int main(int argc, char **argv) {
   gsl_set_error_handler_off();
   const cli_call call = cli_parse(&command, argc, argv);
-  cli_list sigmas = cli_numbers(cli_get(&call, "sigma"), 0.01, 80),
+  cli_list sigmas = cli_values(cli_get(&call, "sigma"), "degrees", 0.01, 80),
            angles = cli_angles(cli_get(&call, "angles"));
   int runs = (int)cli_whole(cli_get(&call, "runs"), 1, 100000);
   size_t samples = cli_whole(cli_get(&call, "samples"), 1000, 100000000),

@@ -34,11 +34,11 @@ static double standard_of(const aspi_calibration *c, const char *name) {
 /* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
   const asp_rebound_law *law = asp_description_rebound(c->words);
-  int index = aspi_rebound_parameter_find(law, name), i = 0;
+  int index = aspi_rebound_parameter_find(law, name);
   const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
-  while (!p && !(aspi_keyword_at(i)->may_fit && strcmp(aspi_keyword_at(i)->name, name) == 0))
-    i++;
-  const aspi_keyword *k = aspi_keyword_at(i);
+  const aspi_keyword *k = aspi_keywords;
+  while (!p && !(k->may_fit && strcmp(k->name, name) == 0))
+    k++;
   aspi_unknown u = {.name = name,
                     .kind = p            ? OF_LAW
                             : *k->within ? OF_SURFACE

@@ -74,12 +74,10 @@ static void list_options(cli_call *call) {
 /* A word of the description that was given as an option, or an option that is like it. */
 static void fail_option(const cli_call *call, const char *given) {
   const char *name = call->command->name, *word = given + strspn(given, "-");
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     if (strcmp(k->name, word) == 0)
       cli_bad_usage("%s: '%s' is a word of the description, before all options: %s%s%s %s", name,
                     given, k->within, *k->within ? " " : "", word, k->values);
-  }
   char list[400] = "", near[64], meant[90] = "";
   for (const cli_option *o = call->options; o->name; o++)
     aspi_append(list, sizeof list, " %s", o->name);

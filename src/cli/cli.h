@@ -102,7 +102,6 @@ unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned 
  * takes `lognormal:min:max:median`, too.
  * Angles are in degrees, 0 to 90. */
 cli_list cli_values(const cli_option *option, const char *kind, double least, double most);
-cli_list cli_numbers(const cli_option *option, double least, double most);
 cli_list cli_lengths(const cli_option *option);
 cli_list cli_angles(const cli_option *option);
 cli_list cli_impact_angles(const cli_call *call); /* of the option `angles`; over 0 */
@@ -113,8 +112,7 @@ size_t cli_few(const cli_option *option, double least, double most, size_t n, do
 /* Index of the value among the words of the option's argument, `own|ledger`. */
 int cli_choice(const cli_option *option);
 
-/* A line on stderr; and one that something may not be what is wanted. */
-CLI_FORMAT(1, 2) void cli_say(const char *format, ...);
+/* A line on stderr that something may not be what is wanted. */
 CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* Written to a temporary file and renamed on close; an early exit leaves the old file. A symbolic

@@ -84,8 +84,7 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
 
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
   d->has_no_impact = !aspi_words_in_list("rebound", allowed);
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
     if (!*k->within && is_own && asp_description_is_given(d->words, k->name) &&
         !aspi_words_in_list(k->name, allowed))

@@ -73,8 +73,7 @@ void cli_help_all(const cli_command *const *commands) {
 
 /* The words within one, and those within these. */
 static void put_words(const char *within, int depth) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, within) != 0 || !k->text)
       continue;
     printf("%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values, 2 * depth + 6,

@@ -81,13 +81,6 @@ void cli_must(bool good, const asp_error *error) {
   cli_bad_usage("%s", error->text);
 }
 
-void cli_say(const char *format, ...) {
-  va_list args;
-  va_start(args, format);
-  say("", format, args);
-  va_end(args);
-}
-
 void cli_warn(const char *format, ...) {
   va_list args;
   va_start(args, format);

@@ -126,7 +126,7 @@ static void mark(FILE *out, const point *points, size_t models, double tolerance
            chosen ? "the cheapest model" : "no model is", tolerance, chosen ? "" : "; the closest",
            asp_spread_name(of->model), of->worst, of->se, of->cost);
   fprintf(out, "# %s\n", text);
-  cli_say("%s", text);
+  fprintf(stderr, "asperity: %s\n", text);
 }
 
 /* ---- output ---- */

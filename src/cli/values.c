@@ -8,7 +8,6 @@
 #include "base/tolerances.h"
 #include "cli/cli.h"
 
-#include <errno.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -97,20 +96,14 @@ double cli_length(const cli_option *option) {
 }
 
 unsigned long cli_whole(const cli_option *option, unsigned long least, unsigned long most) {
-  const char *text = given(option);
   char *end;
-  errno = 0;
-  unsigned long value = strtoul(text, &end, 10);
-  bool bad = end == text || *text == '-' || errno == ERANGE;
-  if (!bad && *end) { /* 1e6, 2.5e3: doubles hold whole numbers up to 2^53 */
-    double number = aspi_number(text, &end);
-    bad = *end || !(number >= 0 && number <= 0x1p53) || number != floor(number);
-    value = bad ? 0 : (unsigned long)number;
-  }
-  if (bad || value < least || value > most)
+  const char *text = given(option);
+  double value = aspi_number(text, &end); /* exact up to 2^53 */
+  if (end == text || *end || !(value >= (double)least && value <= (double)most) ||
+      value > floor(value))
     cli_bad_usage("--%s is '%s'; it must be a whole number, %lu to %lu", option->name, text, least,
                   most);
-  return value;
+  return (unsigned long)value;
 }
 
 int cli_choice(const cli_option *option) {
@@ -188,10 +181,6 @@ static cli_list without_law(const cli_option *option, const char *kind, double l
   return list;
 }
 
-cli_list cli_numbers(const cli_option *option, double least, double most) {
-  return without_law(option, "", least, most);
-}
-
 cli_list cli_lengths(const cli_option *option) {
   return without_law(option, "length", 0, INFINITY);
 }
@@ -209,7 +198,7 @@ cli_list cli_impact_angles(const cli_call *call) {
 }
 
 size_t cli_few(const cli_option *option, double least, double most, size_t n, double *values) {
-  cli_list list = cli_numbers(option, least, most);
+  cli_list list = without_law(option, "", least, most);
   if (list.count > n)
     cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, option->argument);
   memcpy(values, list.values, list.count * sizeof *values);

@@ -25,8 +25,7 @@ static void write_value(aspi_line *l, const asp_description *d, const aspi_keywo
 
 /* All keywords within one; of those that need something behind them, only with that. */
 static void write_within(aspi_line *l, const asp_description *d, const char *within) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, within) != 0 || !is_shown(d, k))
       continue;
     const size_t before = l->length;
@@ -59,11 +58,9 @@ static const char *behind_word(const char *at) {
 
 static bool begins_clause(const char *at) {
   size_t length = strcspn(at, " ");
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     if (!*k->within && strlen(k->name) == length && strncmp(k->name, at, length) == 0)
       return true;
-  }
   return false;
 }
 

@@ -47,23 +47,24 @@ void asp_description_free(asp_description *d) {
   free(d);
 }
 
+/* The keyword's bit in `given`. */
+static uint64_t bit_of(const aspi_keyword *k) {
+  return (uint64_t)1 << (k - aspi_keywords);
+}
+
 bool aspi_is_given(const asp_description *d, const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(aspi_keyword_at(i)->name, name) == 0 && d->given >> i & 1)
-      return true;
   const asp_rebound_law *law = d->choice.law;
   for (int i = 0; i < law->n_parameters; i++)
     if (d->of_law >> i & 1 && strcmp(aspi_parameter_keyword(&law->parameters[i]), name) == 0)
       return true;
-  return false;
+  return aspi_given_of(d, name, 0);
 }
 
 const char *aspi_given_of(const asp_description *d, const char *list, int nth) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const char *name = aspi_keyword_at(i)->name;
-    if (d->given >> i & 1 && aspi_word_index(list, name, strlen(name), true) >= 0 && nth-- == 0)
-      return name;
-  }
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
+    if (d->given & bit_of(k) && aspi_word_index(list, k->name, strlen(k->name), true) >= 0 &&
+        nth-- == 0)
+      return k->name;
   return NULL;
 }
 
@@ -72,9 +73,9 @@ bool asp_description_is_given(const asp_description *d, const char *keyword) {
 }
 
 void aspi_set_given(asp_description *d, const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(aspi_keyword_at(i)->name, name) == 0)
-      d->given |= (uint64_t)1 << i;
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
+    if (strcmp(k->name, name) == 0)
+      d->given |= bit_of(k);
 }
 
 void asp_description_default_plane(asp_description *d) {
@@ -85,11 +86,9 @@ void asp_description_default_plane(asp_description *d) {
 
 /* The keyword of a number that is not turned into another one; NULL for another name. */
 static const aspi_keyword *number_find(const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     if (k->number && k->shown != ASPI_NEVER && strcmp(k->name, name) == 0)
       return k;
-  }
   return NULL;
 }
 
@@ -106,16 +105,13 @@ double asp_description_get(const asp_description *d, const char *name) {
 static asp_code fail_name(const asp_description *d, const char *name, asp_error *error) {
   const asp_rebound_law *law = d->choice.law;
   char list[420] = "", what[100];
-  for (int i = 0; i < law->n_parameters + aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i < law->n_parameters ? 0 : i - law->n_parameters);
-    bool is_there = i < law->n_parameters ||
-                    (number_find(k->name) && (!*k->within || aspi_is_given(d, k->name)));
-    if (is_there)
-      aspi_append(list, sizeof list, "%s%s", *list ? " " : "",
-                  i < law->n_parameters ? law->parameters[i].name : k->name);
-  }
+  for (int i = 0; i < law->n_parameters; i++)
+    aspi_append(list, sizeof list, " %s", law->parameters[i].name);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
+    if (number_find(k->name) && (!*k->within || aspi_is_given(d, k->name)))
+      aspi_append(list, sizeof list, " %s", k->name);
   snprintf(what, sizeof what, "of a wall with rebound law '%s', number", law->name);
-  return aspi_fail_unknown(error, what, name ? name : "", list);
+  return aspi_fail_unknown(error, what, name ? name : "", list + 1);
 }
 
 static asp_code set_parameter(asp_description *d, int index, double value, asp_error *error) {

@@ -87,10 +87,8 @@ typedef struct aspi_keyword {
   bool in_si;  /* its constants are in SI, so the caller's units must be known */
 } aspi_keyword;
 
-int aspi_keyword_count(void);
-
-/* NULL for an index past the last. */
-const aspi_keyword *aspi_keyword_at(int index);
+/* All keywords; the last one has no name. */
+extern const aspi_keyword aspi_keywords[];
 
 /* The keyword of that name that begins a clause; NULL: there is none. */
 const aspi_keyword *aspi_keyword_find(const char *name);

@@ -20,7 +20,7 @@
 #define SETS(MEMBER, VALUE) .flag = AT(MEMBER), .sets = VALUE
 
 /* Within what, name, values, default, meaning. */
-static const aspi_keyword keywords[] = {
+const aspi_keyword aspi_keywords[] = {
     {"", "surface",
      "smooth | sigma ANGLE [lambda_c L] | rq R lambda_c L [L_along lay DIRECTION] | profile "
      "FILE | map FILE [lay DIRECTION]; for rq R also ra R or sq R, for lambda_c L also rdq S "
@@ -125,20 +125,13 @@ static const aspi_keyword keywords[] = {
     {"remove", "adhesion_spread", "S", "by the size",
      "geometric standard deviation of the adhesion", NUMBER("", choice.flow.spread),
      FROM(1, INFINITY)},
+    {.name = NULL},
 };
 
-int aspi_keyword_count(void) {
-  return (int)(sizeof keywords / sizeof *keywords);
-}
-
-const aspi_keyword *aspi_keyword_at(int index) {
-  return index >= 0 && index < aspi_keyword_count() ? &keywords[index] : NULL;
-}
-
 const aspi_keyword *aspi_keyword_find(const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (!*keywords[i].within && strcmp(keywords[i].name, name) == 0)
-      return &keywords[i];
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
+    if (!*k->within && strcmp(k->name, name) == 0)
+      return k;
   return NULL;
 }
 
@@ -153,11 +146,11 @@ asp_code aspi_keyword_check(const aspi_keyword *k, const char *given, double val
 }
 
 void aspi_keyword_names(const char *within, char *list, size_t size) {
-  for (int i = 0; i < aspi_keyword_count(); i++)
-    if (strcmp(keywords[i].within, within) == 0 && keywords[i].text)
-      aspi_append(list, size, "%s%s", *list ? " " : "", keywords[i].name);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
+    if (strcmp(k->within, within) == 0 && k->text)
+      aspi_append(list, size, "%s%s", *list ? " " : "", k->name);
 }
 
-_Static_assert(sizeof keywords / sizeof *keywords <= CHAR_BIT * sizeof(uint64_t),
+_Static_assert(sizeof aspi_keywords / sizeof *aspi_keywords <= CHAR_BIT * sizeof(uint64_t),
                "each keyword needs a bit in asp_description.given");
 _Static_assert(sizeof(bool) == 1, "flags and choices are bytes");

@@ -14,8 +14,7 @@ static bool may_be_next(const aspi_words *r, const aspi_keyword *k, bool first) 
 /* The keyword within one that comes next, which is taken; NULL: there is none. */
 static const aspi_keyword *take_keyword(aspi_words *r, const aspi_keyword *of, bool first,
                                         asp_code *code) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, of->name) != 0 || !may_be_next(r, k, first) ||
         !aspi_words_take(r, k->name))
       continue;
@@ -54,12 +53,10 @@ static asp_code read_value(aspi_words *r, const aspi_keyword *k) {
 
 /* Checks what had to follow a keyword, of which there were `any`. */
 static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     if (strcmp(k->within, of->name) == 0 && k->needed && !aspi_is_given(r->d, k->name))
       return aspi_fail(r->error, ASP_EARG, "behind '%s', '%s %s' is expected", of->name, k->name,
                        k->values);
-  }
   bool has_value = aspi_form_of(of)->read || of->number || of->string || of->choice || !*of->values;
   if (any || has_value)
     return ASP_OK;

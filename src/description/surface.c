@@ -116,11 +116,9 @@ static asp_code convert_rsm(aspi_words *r) {
 /* The words of which one must follow the height. */
 static asp_code fail_spacing(aspi_words *r, const char *height) {
   char list[160] = "";
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     if (k->after && aspi_words_in_list(height, k->after))
       aspi_append(list, sizeof list, "%s%s %s", *list ? ", " : "", k->name, k->values);
-  }
   return aspi_fail(
       r->error, ASP_EARG,
       "behind 'surface %s', one of these is expected: %s; if you know only the height, "

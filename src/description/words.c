@@ -37,8 +37,7 @@ const char *aspi_words_word(aspi_words *r, const char *name) {
 }
 
 bool aspi_words_misplaced(const aspi_words *r, const char *name) {
-  for (int i = 0; i < aspi_keyword_count(); i++) {
-    const aspi_keyword *k = aspi_keyword_at(i);
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (!*k->within || strcmp(k->name, name) != 0)
       continue;
     bool here = strcmp(k->within, r->d->last) == 0;
