@@ -37,22 +37,23 @@ def number(text):
 
 
 def read(path):
-    rows, names, step, is_csv = [], {}, None, None
+    rows, names, width, step, is_csv = [], {}, 0, None, None
     lines = open(path, errors="replace")
     for line in lines:
         if line.startswith("ITEM: TIMESTEP"):
             step = int(next(lines))
         elif line.startswith("ITEM:"):  # where it is not of atoms, its numbers are passed over
-            names = {name: k for k, name in enumerate(line.split()[2:])} if "ATOMS" in line else None
+            names = {name: k for k, name in enumerate(line.split()[2:])} if line.startswith("ITEM: ATOMS") else None
+            width = len(names or ())
         elif names is None or line.startswith("#") or not line.strip():
             continue
         else:
             is_first, is_csv = is_csv is None, "," in line and " " not in line.strip() if is_csv is None else is_csv
             fields = [number(field) for field in line.strip().split("," if is_csv else None)]
             if fields[0] == "Step" or (is_csv and is_first and isinstance(fields[0], str)):
-                names = {name: k for k, name in enumerate(fields)}
+                names, width = {name: k for k, name in enumerate(fields)}, len(fields)
             elif is_csv or not any(isinstance(field, str) for field in fields):
-                if not names or len(fields) == len(names):
+                if not width or len(fields) == width:
                     rows.append(Row(fields, names, step))
     return rows
 

@@ -1,157 +1,121 @@
 #!/usr/bin/env bash
-# Loads on a wall: its momentum is the one that the particles lose, to rounding, on a mesh that turns,
-# with particles that fall, rebound, roll and stick; a bed at rest presses with its weight; the same force and torque
-# in both engines and on any number of ranks; the torque is the angular momentum that grains lose; what dissipates is the
-# energy that grains lose that hit and slide; the sums of meshes and triangles are those of the whole wall.
+# Loads on a wall: its momentum is the one that the particles lose, to rounding, on a mesh that turns, with particles that
+# fall, rebound, roll and stick; the same force and torque in both engines and on any number of ranks; energies, impulses and
+# torques are those of the rows; what grains lose that hit and slide dissipates; the force of each grain is its share.
 # GRAINS=2500 STEPS=8000 loads.sh makes over 10^5 impacts.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 grains=${GRAINS:-100} steps=${STEPS:-1000}
-numbers() { grep -E '^ +[0-9]+( +[-+.0-9e]+)+ *$' "$1"; }
-
-# Grains in a box that turns.
-stl > box.stl << END
--0.3 -0.3 -0.3  0.3 -0.3 -0.3  0.3 0.3 -0.3  -0.3 0.3 -0.3
--0.3 -0.3 0.3  0.3 -0.3 0.3  0.3 0.3 0.3  -0.3 0.3 0.3
--0.3 -0.3 -0.3  0.3 -0.3 -0.3  0.3 -0.3 0.3  -0.3 -0.3 0.3
--0.3 0.3 -0.3  0.3 0.3 -0.3  0.3 0.3 0.3  -0.3 0.3 0.3
--0.3 -0.3 -0.3  -0.3 0.3 -0.3  -0.3 0.3 0.3  -0.3 -0.3 0.3
-0.3 -0.3 -0.3  0.3 0.3 -0.3  0.3 0.3 0.3  0.3 -0.3 0.3
-END
+cube 0.3 | stl > box.stl # that turns, with grains in it
 cloud=$(awk -v n="$grains" -v state=4711 'function uniform() { state = (16807 * state) % 2147483647; return 2 * state / 2147483647 - 1 }
   BEGIN { for (i = 1; i <= n; i++) printf "%d %.9g %.9g %.9g %.9g %.9g %.9g\n", i, 0.25 * uniform(), 0.25 * uniform(), 0.25 * uniform(), 3 * uniform(), 3 * uniform(), 3 * uniform() }')
-scene() { # law
+scene() { # LAW LEDGER
   soft "-0.6 0.6 -0.6 0.6 -0.6 0.6" | sed 's/^neigh_modify .*/neigh_modify delay 0 exclude group all all/; s/^neighbor .*/neighbor 0.02 bin/'
   put <<< "$cloud"
   echo "fix m5 all property/global yieldStress peratomtype 1e5
 fix m6 all property/global surfaceEnergy peratomtypepair 1 5
 fix box all mesh/surface file box.stl type 1
 fix turn all move/mesh mesh box rotate origin 0.01 0.0 0.0 axis 0.2 0.3 1. period 1.7
-fix wall all wall/rebound mesh n_meshes 1 meshes box $1 erosion dnv density 7800 face tilted torque_about 0.1 0.2 -0.1 ledger 500 file rows.csv columns full
+fix wall all wall/rebound mesh n_meshes 1 meshes box surface rq 2e-4 lambda_c 2e-3 $1 erosion dnv density 7800 face tilted torque_about 0.1 0.2 -0.1 ledger 500 file $2 columns full
 fix fall all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere
 timestep 2e-4
-dump at all custom $steps at.txt id vx vy vz
-dump_modify at sort id format \"%d %.17g %.17g %.17g\"
-thermo_style custom step f_wall[7] f_wall[8] f_wall[9] f_wall[10] f_wall[11] f_wall[12] f_wall[13] f_wall[1] f_wall[1][1] f_wall[1][7] f_wall[2] f_wall[14] f_wall[1][8]
+$(pictures $steps at.txt "vx vy vz")
+thermo_style custom step f_wall[7] f_wall[8] f_wall[9] f_wall[10] f_wall[11] f_wall[12] f_wall[13] f_wall[1] f_wall[14] f_wall[2] f_wall[1][1] f_wall[1][8] f_wall[1][7] f_wall[1][5] f_wall[1][6]
 thermo_modify format float %.17g
 thermo 1
 run $steps"
 }
-mass=$(awk 'BEGIN { printf "%.17g", 2500 * 4 * atan2(0, -1) / 3 * 64e-9 }')
-for law in "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" "surface rq 2e-4 lambda_c 2e-3 rebound bons"; do
-  name=${law#*rebound }; name=${name%% *}
-  scene "$law" > $name.in
-  for engine in liggghts lammps; do
-    use $engine
-    for ranks in 1 2; do
-      [ $ranks = 1 ] || [ $engine = liggghts ] || continue
-      engine $ranks $name.in
-      numbers $name.in.screen > $name.$engine.$ranks
-      mv rows.csv $name.$engine.$ranks.csv
-      awk -v m="$mass" -v n="$grains" -v steps="$steps" 'NF == 4 && $1 ~ /^[0-9]+$/ { seen[$1]++
-            for (k = 2; k <= 4; k++) p[k] += (seen[$1] == 1 ? m : -m) * $k }
-          END { printf "%.17g %.17g %.17g\n", p[2], p[3], p[4] - n * m * 9.81 * steps * 2e-4 }' at.txt > lost
-      awk 'NR > 1 { for (k = 2; k <= 4; k++) { p[k] += $k * 2e-4; all += $k < 0 ? -$k * 2e-4 : $k * 2e-4 } } END { printf "%.17g %.17g %.17g %.17g %d %d\n", p[2], p[3], p[4], all, $9, $12 }' $name.$engine.$ranks |
-        paste -d' ' lost - > balance
-      awk -v name="$name" -v engine=$engine -v ranks=$ranks '{ for (k = 1; k <= 3; k++) { d = $k - $(k + 3); if (d < 0) d = -d; if (d > worst) worst = d }
-        printf "%s, %s, %d ranks: %d impacts, %d deposits; momentum to %.2g of what the wall has taken\n", name, engine, ranks, $8, $9, worst / $7; exit !(worst < 1e-13 * $7 && $8 > 0) }' balance ||
-        die "$name: the grains lose $(cut -d' ' -f1-3 balance), the wall gets $(cut -d' ' -f4- balance)"
-    done
+cat > common.py << END
+m, n, steps, dt = 2500 * 4 * pi / 3 * 64e-9, $grains, $steps, 2e-4
+def given(log, k): # force or torque times time
+    return [fsum(row[i] * dt for row in log[1:]) for i in range(k, k + 3)]
+END
+for law in walton bons; do
+  case $law in walton) words="rebound walton 0.9 0.3 0.2 deposit off" ;; bons) words="rebound bons" ;; esac
+  scene "$words" \${out} > $law.in
+  for run in liggghts.1 liggghts.2 lammps.1; do
+    use ${run%.*}
+    engine ${run#*.} $law.in -var out $law.$run.csv
+    mv $law.in.screen $law.$run.log
+    { cat common.py; echo "
+lost = [m * fsum(x[k] - y[k] for x, y in zip(at(a, 0), at(a, steps))) - (n * m * 9.81 * steps * dt if k == 3 else 0) for k in (1, 2, 3)]
+taken = fsum(abs(row[k]) * dt for row in log[1:] for k in (1, 2, 3))
+assert all(abs(x - y) < 1e-13 * taken for x, y in zip(given(log, 1), lost)), (given(log, 1), lost, taken)
+assert log[-1][8] > 0 and ('$law' == 'walton' or log[-1][10] > 0)
+for row in log: # of the whole wall, and of its mesh
+    assert row[8] == row[11] and row[9] == row[12] and near(row[7], row[13], 1e-12)
+for row, first in zip(log[:500], first):
+    scale = hypot(*row[3:5], 1)
+    assert all(abs(x - y) <= 1e-8 * hypot(x, scale if k < 6 else 0) for k, (x, y) in enumerate(zip(row[1:10], first[1:10]))), (row, first)"; } > now.py
+    table a=at.txt log=$law.$run.log first=$law.liggghts.1.log < now.py || die "loads: $law, $run"
   done
 done
-
-# Both engines, and ranks, have the same numbers; those of the mesh are those of the wall.
-for name in walton bons; do
-  for other in liggghts.2 lammps.1; do
-    paste -d' ' $name.liggghts.1 $name.$other | awk 'NR <= 500 { for (k = 2; k <= 11; k++) { d = $k - $(k + 14); s = $k * $k; if (k < 8) s += $4 * $4 + $5 * $5 + 1; if (d * d > 1e-16 * s) { print k, $0; exit 1 } } }' ||
-      die "$name: liggghts.1 and $other differ"
-  done
-  awk '{ if ($9 != $10 || $13 != $14 || ($8 - $11) ^ 2 > 1e-24 * $8 ^ 2) exit 1 } END { exit !($8 > 0) }' $name.liggghts.1 || die "$name: the array and the vector differ"
-done
+same walton.liggghts.1.csv walton.liggghts.2.csv "full rows on two ranks"
+"$bin/asperity" compare walton.liggghts.1.csv -o compared > compare.out 2>&1 || die "compare does not read a full ledger: $(cat compare.out)"
 
 # The dissipated energy, the impulses and the torque are those of the rows. Where grains only hit, they are all.
-energies() { # ledger
-  rows "$1" | awk -F, '{ n++; worn += $39; e += 0.5 * $20 * ($24 ^ 2 + $25 ^ 2 + $26 ^ 2 - $27 ^ 2 - $28 ^ 2 - $29 ^ 2) + $20 * $9 ^ 2 / 20 * ($30 ^ 2 + $31 ^ 2 + $32 ^ 2 - $33 ^ 2 - $34 ^ 2 - $35 ^ 2)
-      for (k = 0; k < 3; k++) { d = $(36 + k) - $20 * ($(24 + k) - $(27 + k)); if (d * d > 1e-16) exit 1 }
-      j = -($36 * $21 + $37 * $22 + $38 * $23); normal += j; along += sqrt(($36 + j * $21) ^ 2 + ($37 + j * $22) ^ 2 + ($38 + j * $23) ^ 2) }
-    END { printf "%.12g %.12g %d %.12g %.12g\n", e, normal, n, worn, along }'
-}
-scene "surface rq 2e-4 lambda_c 2e-3 rebound walton 0.9 0.3 0.2 deposit off" |
-  sed '/^fix fall/d; s/ f_wall.2. / f_wall[1][5] /; s/^thermo_style .*/& f_wall[1][6]/; s/rows.csv/free.csv/' > free.in
+use liggghts
+scene "rebound walton 0.9 0.3 0.2 deposit off" free.csv | sed '/^fix fall/d' > free.in
 engine 2 free.in
-numbers free.in.screen | tail -n 1 | paste -d' ' - <(energies free.csv) | awk '{ printf "dissipated: %s, by the rows %s; normal impulse %s, %s; tangential %s, %s; eroded %s, %s\n", $8, $16, $12, $17, $15, $20, $13, $19
-  exit !($18 == $9 && $8 > 0 && ($8 / $16 - 1) ^ 2 < 1e-16 && ($12 / $17 - 1) ^ 2 < 1e-16 && ($15 / $20 - 1) ^ 2 < 1e-16 && $13 > 0 && ($13 / $19 - 1) ^ 2 < 1e-16) }' || die "energies of the rows"
-# A row has what the grain's orbital momentum loses, and its spin.
-numbers free.in.screen | awk 'NR > 1 { for (k = 5; k <= 7; k++) t[k] += $k * 2e-4 } END { printf "%.12g %.12g %.12g\n", t[5], t[6], t[7] }' |
-  paste -d' ' - <(rows free.csv | awk -F, '{ x = $6 - 0.1; y = $7 - 0.2; z = $8 + 0.1; inertia = $20 * $9 ^ 2 / 10
-      t += y * $38 - z * $37 + inertia * ($30 - $33); u += z * $36 - x * $38 + inertia * ($31 - $34); v += x * $37 - y * $36 + inertia * ($32 - $35); all += sqrt($36 ^ 2 + $37 ^ 2 + $38 ^ 2) }
-    END { printf "%.12g %.12g %.12g %.12g\n", t, u, v, all }') |
-  awk '{ print "torque times time:", $1, $2, $3 ", by the rows", $4, $5, $6; for (k = 1; k <= 3; k++) if (!(($k - $(k + 3)) ^ 2 < 1e-18 * $7 ^ 2)) exit 1; exit !($1 && $2 && $3) }' ||
-  die "the torque of the rows"
-same walton.liggghts.1.csv walton.liggghts.2.csv "full rows on two ranks"
-"$bin/asperity" compare free.csv -o free.txt > compare.out 2>&1 || die "compare does not read a full ledger: $(cat compare.out)"
+{ cat common.py; cat << 'END'; } > now.py
+energy = normal = along = worn = 0
+torque, size = [0, 0, 0], 0
+for r in rows:
+    v1, v2, w1, w2, p, n = (tuple(r[name + x] for x in "xyz") for name in ("v1", "v2", "omega1", "omega2", "impulse_", "n"))
+    square = lambda v: sum(x * x for x in v)
+    inertia = r.mass * r.d_p ** 2 / 10
+    energy += 0.5 * r.mass * (square(v1) - square(v2)) + 0.5 * inertia * (square(w1) - square(w2))
+    assert all(abs(x - r.mass * (a - b)) < 1e-8 for x, a, b in zip(p, v1, v2)), r
+    j = -sum(x * y for x, y in zip(p, n))
+    normal, along, worn = normal + j, along + hypot(*(x + j * y for x, y in zip(p, n))), worn + r.eroded_mass
+    x, y, z = r.x - 0.1, r.y - 0.2, r.z + 0.1
+    for k, value in enumerate((y * p[2] - z * p[1], z * p[0] - x * p[2], x * p[1] - y * p[0])):
+        torque[k] += value + inertia * (w1[k] - w2[k])
+    size += hypot(*p)
+end = log[-1]
+assert end[8] == len(rows) > 0
+for is_, want in (end[7], energy), (end[14], normal), (end[15], along), (end[9], worn):
+    assert want > 0 and near(is_, want, 1e-8), (is_, want)
+assert all(abs(x - y) < 1e-9 * size and x for x, y in zip(given(log, 4), torque)), (given(log, 4), torque)
+END
+table rows=free.csv log=free.in.screen < now.py || die "energies, impulses or torques of the rows"
 
-# A grain that slides until it rolls, and one that drops and does: what they lose is what dissipates.
-{ soft "-0.1 0.9 -0.1 0.1 -0.001 0.05" 0.3 0.5 | sed 's/^neigh_modify .*/neigh_modify delay 0 exclude group all all/'
-  printf '1 0 0 0.004 1 0.2 0\n2 0 0.05 0.006 0.8 -0.3 -0.5\n' | put
-  echo "fix wall all wall/rebound primitive type 1 zplane 0.0 rebound walton 0.5 0.3 0 deposit off
+# Grains that slide until they roll: what they lose is what dissipates; the force of each is its share of the wall's, and acts
+# where the grain touches. A third one flies.
+for engine in liggghts lammps; do
+  use $engine
+  { soft "-0.1 0.9 -0.1 0.1 -0.001 0.05" 0.3 0.5 | sed 's/^neigh_modify .*/neigh_modify delay 0 exclude group all all/'
+    printf '1 0 0 0.004 1 0.2 0\n2 0 0.05 0.006 0.8 -0.3 -0.5\n' | put
+    echo "fix wall all wall/rebound primitive type 1 zplane 0.0 rebound walton 0.5 0.3 0 deposit off
 fix move all nve/sphere
+region above block -1 1 -1 1 0.02 1 units box
+create_atoms 1 single 0 0.08 0.04 units box
+set region above diameter 0.008 density 2500
 fix fall all gravity 9.81 vector 0 0 -1
 compute spin all erotate/sphere
 compute z all reduce sum z
-thermo_style custom step ke c_spin c_z f_wall[13]
+compute force all reduce sum f_rebound_wall[3] f_rebound_wall[4] f_rebound_wall[5]
+thermo_style custom step ke c_spin c_z f_wall[13] c_force[1] c_force[2] c_force[3] f_wall[7] f_wall[8] f_wall[9]
 thermo_modify format float %.17g norm no
-thermo 50
+thermo 1
 timestep 2e-4
-run 800"; } > slide.in
-engine 1 slide.in
-numbers slide.in.screen | awk -v m="$mass" '{ e = $2 + $3 + m * 9.81 * $4; if (NR == 1) first = e; d = (first - e - $5) / first; if (d < 0) d = -d; if (d > worst) worst = d }
-  END { printf "slid: lost %.6g, dissipated %.6g; to %.2g of the energy\n", first - e, $5, worst; exit !(NR == 17 && $5 > 0.3 * first && worst < 5e-4) }' || die "what grains lose that slide"
-
-# The force of each grain is its share of the wall's, and acts where the grain touches: two that roll, one that flies.
-for engine in liggghts lammps; do
-  use $engine
-  { sed '/^compute z/d; /^thermo/d; /^run/d' slide.in
-    printf 'region above block -1 1 -1 1 0.02 1 units box\ncreate_atoms 1 single 0 0.08 0.04 units box\nset region above diameter 0.008 density 2500\n'
-    echo "compute force all reduce sum f_rebound_wall[3] f_rebound_wall[4] f_rebound_wall[5]
-thermo_style custom step c_force[1] f_wall[7] c_force[2] f_wall[8] c_force[3] f_wall[9]
-thermo_modify format float %.17g
-thermo 1
-dump at all custom 800 at.txt id x y z f_rebound_wall[5] f_rebound_wall[6] f_rebound_wall[7] f_rebound_wall[8]
-dump_modify at sort id format \"%d %.12g %.12g %.12g %.12g %.12g %.12g %.12g\"
-run 800"; } | if [ $engine = lammps ]; then sed 's/f_rebound_wall/f_wall/g; s/format "/format line "/'; else cat; fi > shares.in
-  engine 2 shares.in
-  numbers shares.in.screen | awk 'NF == 7 { rows++; for (k = 2; k < 7; k += 2) { d = $k - $(k + 1); if (d * d > 1e-24 * $(k + 1) ^ 2) exit 1; any[k] += $k != 0 } } END { exit !(rows > 790 && any[2] > 100 && any[6] > 300) }' ||
-    die "$engine: the forces of grains are not the wall's"
-  awk -v m="$mass" '/^ITEM/ { on = /: ATOMS/; picture += on; next } on && picture == 2 { n++
-      if ($1 == 3 ? $5 || $6 || $8 : ($5 / m / -9.81 - 1) ^ 2 > 1e-12 || ($6 - $2) ^ 2 + ($7 - $3) ^ 2 > 1e-10 || $8 ^ 2 > 1e-16) { print; exit 1 } } END { exit n != 3 }' at.txt ||
-    die "$engine: the force or the place of a grain"
-done
-
-# A bed presses with its weight on all of its walls together.
-soft "-0.031 0.031 -0.031 0.031 -0.001 0.2" 0.3 0.5 > bed.in
-{ stack 6 6 2 0.0095 0.3 | put
-  while read -r name plane; do
-    echo "fix $name all wall/rebound primitive type 1 $plane rebound constant 0.5 0.9 deposit off"
-  done <<< "floor zplane 0.0
-left xplane -0.03
-right xplane 0.03
-front yplane -0.03
-back yplane 0.03"
-  echo "timestep 5e-5
-fix fall all gravity 9.81 vector 0 0 -1
-fix move all nve/sphere
-thermo_style custom step f_floor[9] f_left[9] f_right[9] f_front[9] f_back[9] f_left[7] f_right[7]
-thermo_modify format float %.17g
-thermo 100000
-run 8000
-thermo 1
-run 2000"; } >> bed.in
-for engine in liggghts lammps; do
-  use $engine
-  engine 1 bed.in
-  numbers bed.in.screen | awk -v w="$(awk -v m="$mass" 'BEGIN { print 72 * m * 9.81 }')" -v engine=$engine '$1 > 8000 { n++; floor += $2; f += $2 + $3 + $4 + $5 + $6; side += $7; other += $8 }
-    END { printf "%s: the bed of %.4f N presses with %.6f of it, the floor carries %.3f, sides %.3g %.3g\n", engine, w, f / n / -w, floor / n / -w, side / n / w, other / n / w
-      d = f / n / -w - 1; exit !(n > 1999 && d * d < 1e-6 && side < 0 && other > 0) }' || die "$engine: the weight of the bed"
+$(pictures 800 at.txt "x y z f_rebound_wall[5] f_rebound_wall[6] f_rebound_wall[7] f_rebound_wall[8]")
+run 400
+thermo 50
+run 400"; } | if [ $engine = lammps ]; then sed 's/f_rebound_wall/f_wall/g'; else cat; fi > slide.in
+  engine 2 slide.in
+  { cat common.py; cat << 'END'; } > now.py
+first = None
+for row in log:
+    e = row[1] + row[2] + m * 9.81 * row[3] + row[4]
+    first = first or e
+    assert abs(e - first) < 5e-4 * first, row
+    assert all(near(x, y, 1e-12) for x, y in zip(row[5:8], row[8:11])), row
+assert log[-1][4] > 0.3 * first and sum(row[5] != 0 for row in log) > 100 and sum(row[7] != 0 for row in log) > 300
+for row in at(a, 800):
+    force, x, y, z = row[4:8]
+    assert row.id == 3 and not (force or x or z) or row.id < 3 and near(force, -9.81 * m, 1e-6) and dist((x, y, z), (row.x, row.y, 0)) < 1e-5, row
+END
+  table log=slide.in.screen a=at.txt < now.py || die "$engine: what grains lose that slide, or their shares of the force"
 done
