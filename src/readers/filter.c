@@ -9,72 +9,32 @@
 #include "base/error.h"
 #include "surface/rolling.h"
 
-#include <gsl/gsl_fft_halfcomplex.h>
-#include <gsl/gsl_fft_real.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* At the cut-off half of an amplitude passes: alpha^2 = ln 2/pi. */
-#define ALPHA_SQUARE 0.22063560015149457
+#define ALPHA 0.46971863934982566
 
-/* Multiplies the spectrum of n = 2^k points by the filter's transmission exp(-pi (alpha f L)^2). */
-static void transmit(double *data, size_t n, double spacing, double cutoff) {
-  gsl_fft_real_radix2_transform(data, 1, n);
-  for (size_t i = 0; i <= n / 2; i++) {
-    double f = (double)i / ((double)n * spacing) * cutoff;
-    double part = exp(-ASP_PI * ALPHA_SQUARE * f * f);
-    data[i] *= part;
-    if (i > 0 && i < n / 2)
-      data[n - i] *= part;
-  }
-  gsl_fft_halfcomplex_radix2_inverse(data, 1, n);
-}
-
-/* Buffers of a filter: `size` = 2^k points, with room beyond the profile for the weights. */
-typedef struct work {
-  size_t points, size;
-  double spacing, cutoff;
-  double *sum, *weight; /* `size` each */
-  double *line;         /* `points`: the profile's long waves */
-} work;
-
-/* The running mean of the heights. */
-static void smooth(work *w, const double *heights) {
-  memset(w->sum, 0, w->size * sizeof *w->sum);
-  memset(w->weight, 0, w->size * sizeof *w->weight);
-  for (size_t i = 0; i < w->points; i++) {
-    w->weight[i] = 1;
-    w->sum[i] = heights[i];
-  }
-  transmit(w->sum, w->size, w->spacing, w->cutoff);
-  transmit(w->weight, w->size, w->spacing, w->cutoff);
-  for (size_t i = 0; i < w->points; i++)
-    w->line[i] = w->sum[i] / w->weight[i];
-}
-
-/* Takes the waves beyond the cut-off out of the heights, or with `keep` leaves only those. */
+/* Takes the waves beyond the cut-off out of the heights, or with `keep` leaves only those. The
+ * running mean of the heights is a real part, that of the weights, 1 within the profile, an
+ * imaginary one. */
 static asp_code filter(double *heights, size_t points, double spacing, double cutoff, bool keep,
                        asp_error *error) {
-  size_t reach = (size_t)fmin(2 * cutoff / spacing + 2, 1e9);
-  work w = {.points = points,
-            .size = aspi_power_of_two(points + reach),
-            .spacing = spacing,
-            .cutoff = cutoff};
-  w.sum = aspi_allocate(w.size);
-  w.weight = aspi_allocate(w.size);
-  w.line = aspi_allocate(points);
-  bool enough = w.sum && w.weight && w.line;
-  if (enough)
-    smooth(&w, heights);
-  for (size_t i = 0; enough && i < points; i++)
-    heights[i] = keep ? w.line[i] : heights[i] - w.line[i];
-  free(w.sum);
-  free(w.weight);
-  free(w.line);
-  return enough
-             ? ASP_OK
-             : aspi_fail(error, ASP_ENOMEM, "out of memory for a filter over %zu points", points);
+  size_t n = aspi_power_of_two(points + (size_t)fmin(2 * cutoff / spacing + 2, 1e9));
+  double *data = calloc(2 * n, sizeof *data);
+  if (!data)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a filter over %zu points", points);
+  for (size_t i = 0; i < points; i++) {
+    data[2 * i] = heights[i];
+    data[2 * i + 1] = 1;
+  }
+  aspi_smooth(data, n, spacing, ALPHA * cutoff);
+  for (size_t i = 0; i < points; i++) {
+    double line = data[2 * i] / data[2 * i + 1];
+    heights[i] = keep ? line : heights[i] - line;
+  }
+  free(data);
+  return ASP_OK;
 }
 
 /* Erodes what a tip of radius r has dilated: r minus the dilation of the surface upside down. */

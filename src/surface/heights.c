@@ -10,8 +10,6 @@
 #include "base/stream.h"
 
 #include <gsl/gsl_fft_complex.h>
-#include <gsl/gsl_fft_halfcomplex.h>
-#include <gsl/gsl_fft_real.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,37 +55,7 @@ static void fill_noise(double *noise, size_t points, uint32_t seed) {
   aspi_stream stream =
       aspi_stream_begin(&(asp_key){.seed = seed, .wall = asp_key_wall("profile"), .impact = 0});
   for (size_t i = 0; i < points; i++)
-    noise[i] = aspi_stream_normal(&stream);
-}
-
-/* The filter around index 0 of a circle of n points, of unit sum of squares, times r_q. */
-static void fill_kernel(double *kernel, size_t n, size_t reach, double step, double r_q) {
-  double sum = 1;
-  memset(kernel, 0, n * sizeof *kernel);
-  kernel[0] = 1;
-  for (size_t i = 1; i <= reach; i++) {
-    double x = (double)i * step, value = exp(-2 * x * x);
-    kernel[i] = kernel[n - i] = value;
-    sum += 2 * value * value;
-  }
-  double scale = r_q / sqrt(sum);
-  for (size_t i = 0; i <= reach; i++)
-    kernel[i] *= scale;
-  for (size_t i = 1; i <= reach; i++)
-    kernel[n - i] *= scale;
-}
-
-/* data := data convolved with an even kernel, both on a circle of n = 2^k points. The spectrum of
- * an even kernel is real: entries 0 to n/2 of GSL's half-complex order. */
-static void convolve(double *data, double *kernel, size_t n) {
-  gsl_fft_real_radix2_transform(data, 1, n);
-  gsl_fft_real_radix2_transform(kernel, 1, n);
-  for (size_t i = 0; i <= n / 2; i++) {
-    data[i] *= kernel[i];
-    if (i > 0 && i < n / 2)
-      data[n - i] *= kernel[i];
-  }
-  gsl_fft_halfcomplex_radix2_inverse(data, 1, n);
+    noise[2 * i] = aspi_stream_normal(&stream);
 }
 
 static asp_code check_generated(double r_q, double lambda_c, double spacing, size_t points,
@@ -104,9 +72,10 @@ static asp_code check_generated(double r_q, double lambda_c, double spacing, siz
     return aspi_fail(error, ASP_EARG,
                      "a profile of %zu points is %g long; it must be at least 20 lambda_c = %g",
                      points, (double)points * spacing, LENGTH_LEAST * lambda_c);
-  if (points > ASP_POINTS_MOST)
-    return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
-                     ASP_POINTS_MOST);
+  double most = (double)(ASP_POINTS_MOST / 2) - 2 * (KERNEL_REACH * lambda_c / spacing + 1);
+  if ((double)points > most)
+    return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %.0f", points,
+                     most);
   return ASP_OK;
 }
 
@@ -116,26 +85,21 @@ asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, 
     return NULL;
   double step = spacing / lambda_c;
   size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(points + 2 * reach);
-  if (n > ASP_POINTS_MOST) {
-    aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %zu", points,
-              ASP_POINTS_MOST - 2 * reach);
-    return NULL;
-  }
-  double *data = aspi_allocate(n), *kernel = aspi_allocate(n), *heights = aspi_allocate(points);
-  if (data && kernel && heights) {
-    fill_noise(data + reach, points, seed);
-    memcpy(data, data + points, reach * sizeof *data);
-    memcpy(data + reach + points, data + reach, reach * sizeof *data);
-    memset(data + points + 2 * reach, 0, (n - points - 2 * reach) * sizeof *data);
-    fill_kernel(kernel, n, reach, step, r_q);
-    convolve(data, kernel, n);
-    memcpy(heights, data + reach, points * sizeof *heights);
+  double *data = calloc(2 * n, sizeof *data), *heights = aspi_allocate(points);
+  if (data && heights) {
+    const size_t back = 2 * reach, all = 2 * points;
+    fill_noise(data + back, points, seed);
+    memcpy(data, data + all, back * sizeof *data);
+    memcpy(data + back + all, data + back, back * sizeof *data);
+    aspi_smooth(data, n, spacing, sqrt(ASP_PI / 2) * lambda_c);
+    for (size_t i = 0; i < points;
+         i++) /* the filter takes step/(sqrt(pi) lambda_c) of a variance */
+      heights[i] = data[back + 2 * i] * r_q / sqrt(step / sqrt(ASP_PI));
   } else {
     free(heights);
     heights = NULL;
   }
   free(data);
-  free(kernel);
   return aspi_profile_adopt(heights, points, spacing, true, error);
 }
 
@@ -204,7 +168,18 @@ aspi_extent aspi_heights_extent(const asp_heights *h) {
                      : (aspi_extent){h->step[0], length};
 }
 
-/* ---- Fourier transforms of maps ---- */
+/* ---- Fourier transforms ---- */
+
+void aspi_smooth(double *data, size_t n, double spacing, double width) {
+  gsl_fft_complex_radix2_forward(data, 1, n);
+  for (size_t i = 0; i < n; i++) {
+    double f = width * (double)(i <= n / 2 ? i : n - i) / ((double)n * spacing);
+    double part = exp(-ASP_PI * f * f);
+    data[2 * i] *= part;
+    data[2 * i + 1] *= part;
+  }
+  gsl_fft_complex_radix2_inverse(data, 1, n);
+}
 
 /* Columns that are gathered, transformed and put back at a time: a cache line. */
 enum { GATHERED = 4 };

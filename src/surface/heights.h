@@ -60,6 +60,10 @@ asp_heights *aspi_profile_mirrored(const asp_heights *profile, asp_error *error)
 /* The least power of two that is at least that. */
 size_t aspi_power_of_two(size_t least);
 
+/* Filters n = 2^k complex numbers on a circle, in place: the spectrum is multiplied by
+ * exp(-pi (f width)^2), which is a weight exp(-pi (x/width)^2) on the circle. */
+void aspi_smooth(double *data, size_t n, double spacing, double width);
+
 /* GSL's complex FFT over rows and columns of 2^k points each, in place and without a norm; backward
  * with the positive sign. `room` is for aspi_fft2_room(rows) numbers. */
 size_t aspi_fft2_room(size_t rows);
