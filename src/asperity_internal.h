@@ -66,56 +66,27 @@ const asp_material *asp_material_at(int index);
 const char *asp_material_name(const asp_material *material);
 
 /* ---- files of measured walls ----------------------------------------------------------------- */
-/* Reads measured profiles: text in columns (position, height; separated by commas, semicolons, tabs
- * or spaces; after any header), or SDF in ASCII (ISO 25178-71). The names right above the numbers
- * state columns and units (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`, or units in
- * a line of their own below the names), or the reader must be given them; two columns without names
- * are positions and heights. Positions may be rounded: the spacing comes from all of them. They may
- * fall, and repeat themselves (heights are averaged); the reader ignores text after the data.
- * Columns X and Y beside the heights give the distance along a straight line. A column named depth
- * or Tiefe counts downward and is turned over. */
-typedef struct asp_reader asp_reader;
-asp_reader *asp_reader_create(asp_error *error);
-void asp_reader_free(asp_reader *reader);
-
-/* Sets an option of reading by name; the default is in brackets:
- *   unit_x, unit_z  meters in one unit of a text file's columns (0: as the file states)
- *   meter           one meter in the unit of the result (1; 1e6 for micrometers)
- *   form            degree of the polynomial that is taken out as form, 0 to 9 (1); -1: none
- *   spikes          points this many robust sd off their neighbors, in every direction on a map,
- *                   are bad (0: none are)
- *   fill            1: bad points and gaps are filled by straight lines (0: they are refused)
- *   resample        1: unequal spacing is resampled by straight lines (1); 0: it is refused
- *   row, column     of an SDF map, from 1: the row (1), or where column > 0 that column instead; of
- *                   a text file, column is that of the heights (0: by the header)
- *   x_column        of a text file: that of the positions (0: by the header)
- *   step_x          meters between heights of a text file that has no positions (0: it has some)
- *   missing         a height that stands for a missing one, in the file's unit (NaN: there is none)
- *   tip, lambda_s, cutoff
- *                   filters, in meters (0: left out): the radius of the stylus whose dilation is
- *                   undone; the wavelengths below and beyond which a Gaussian filter of ISO
- *                   16610-21 takes waves out
- * Units, step_x and missing are refused for SDF files, which state them. */
-asp_code asp_reader_set(asp_reader *reader, const char *name, double value, asp_error *error);
-
-/* The profile of a file, one row of heights, or its map; the message names file and line.
+/* Reads a measured profile, one row of heights, or a map, in a unit of which a meter has `meter`. A
+ * profile is text in columns (position, height; separated by commas, semicolons, tabs or spaces;
+ * after any header), or SDF in ASCII (ISO 25178-71), whose first row it is. The names right above
+ * the numbers state columns and units (`x_um,z_um`, `Lateral um,Raw Micrometer`, `x [mm]; z [nm]`,
+ * or units in a line of their own below the names); two columns without names are positions and
+ * heights. Positions may be rounded: the spacing comes from all of them. They may fall, and repeat
+ * themselves (heights are averaged); unequal spacing is resampled by straight lines; text after the
+ * data is ignored. Columns X and Y beside the heights give the distance along a straight line. A
+ * column named depth or Tiefe counts downward and is turned over.
  *
- * A map is SDF, text or binary (ISO 25178-71); a matrix of heights, a line a row; or lines of x, y,
- * z on a grid, in columns of these names, or where there are three columns. The options count as for
- * profiles, but form is the degree of a polynomial in x and y, and resample has no effect; row,
- * column, x_column and the filters are refused. Also step_x, step_y, meters between the columns and
- * the rows of a matrix (0: as the file states, which Gwyddion's text matrices do; step_y: as
- * step_x). Closed formats are refused with the name of a free program that converts them. */
-asp_heights *asp_reader_read(asp_reader *reader, const char *path, bool is_map, asp_error *error);
-
-/* One sentence about the file read last: points, bad ones, spikes, points filled in, the form taken
- * out, and how positions and columns were taken. */
-const char *asp_reader_text(const asp_reader *reader);
-
-/* ASP_EDATA and a message where the heights of the file read last are doubtful: dust (points far
- * off all neighbors, where no spikes were looked for), heights in few levels, or cut off at an end
- * of their range. For a front end to warn of. */
-asp_code asp_reader_check(const asp_reader *reader, asp_error *error);
+ * A map is SDF, text or binary; a matrix of heights, a line a row, with the head of Gwyddion's; or
+ * lines of x, y, z on a grid, in columns of these names, or where there are three columns. Closed
+ * formats are refused with the name of a free program that converts them.
+ *
+ * The mean line or plane is taken out; bad points and gaps are refused. `text`, of `size`
+ * characters (NULL: none): one sentence about points, form, positions and columns. *doubt: ASP_EDATA
+ * and a message where the heights are doubtful: dust (points far off all neighbors), heights in few
+ * levels, or cut off at an end of their range; else ASP_OK. The command `asperity surface` has
+ * options for all other files. */
+asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char *text, size_t size,
+                              asp_error *doubt, asp_error *error);
 
 /* ---- description ----------------------------------------------------------------------------- */
 /* Parses clause by clause, for a caller with other words in between: begin with
@@ -172,7 +143,7 @@ typedef struct asp_question {
  * modulus, and adhesion that holds every impact. */
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size);
 
-/* What a script can do about a message that names options of asp_reader: "" where it names none. */
+/* What a script can do about a message that names options of the reader: "" where it names none. */
 const char *asp_reader_advice(const char *message);
 
 /* The speed below which a normal impact of the particle sticks to the mean wall: 0 where the law

@@ -61,26 +61,31 @@ static void take_steps(const cli_option *value, aspi_profile_options *read) {
 /* Takes the value of a word of --read, or of --filter; false: there is no such word. */
 static bool take_word(const char *word, bool filters, const cli_option *value,
                       aspi_profile_options *read) {
-  const char *numbers = filters ? "tip lambda_s cutoff" : "row column missing";
-  asp_error error;
-  if (aspi_word_index(numbers, word, strlen(word), true) >= 0) {
-    double number = filters                        ? cli_length(value)
-                    : strcmp(word, "missing") == 0 ? cli_number(value, -1e300, 1e300)
-                                                   : (double)cli_whole(value, 1, 1000000);
-    cli_must(!aspi_profile_options_set(read, word, number, &error), &error);
-  } else if (filters) {
-    return false;
-  } else if (strcmp(word, "x_column") == 0) {
-    read->x_column = value->value;
-  } else if (strcmp(word, "z_column") == 0) {
-    read->z_column = value->value;
-  } else if (strcmp(word, "spacing") == 0) {
-    read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
-  } else if (strcmp(word, "step") == 0) {
-    take_steps(value, read);
-  } else {
-    return false;
+  if (filters) {
+    double *filter = strcmp(word, "tip") == 0        ? &read->filters.tip
+                     : strcmp(word, "lambda_s") == 0 ? &read->filters.lambda_s
+                     : strcmp(word, "cutoff") == 0   ? &read->filters.cutoff
+                                                     : NULL;
+    if (filter)
+      *filter = cli_length(value);
+    return filter;
   }
+  if (strcmp(word, "row") == 0)
+    read->row = (int)cli_whole(value, 1, 1000000);
+  else if (strcmp(word, "column") == 0)
+    read->column = (int)cli_whole(value, 1, 1000000);
+  else if (strcmp(word, "missing") == 0)
+    read->missing = cli_number(value, -1e300, 1e300);
+  else if (strcmp(word, "x_column") == 0)
+    read->x_column = value->value;
+  else if (strcmp(word, "z_column") == 0)
+    read->z_column = value->value;
+  else if (strcmp(word, "spacing") == 0)
+    read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
+  else if (strcmp(word, "step") == 0)
+    take_steps(value, read);
+  else
+    return false;
   return true;
 }
 

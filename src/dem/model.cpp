@@ -125,10 +125,10 @@ void Model::read_measured() {
   if (!(units_.meter > 0))
     throw Error(std::string(is_map ? "a map" : "a profile") +
                 " is in SI units, which cannot be converted to " + units_name_);
-  std::unique_ptr<asp_reader, void (*)(asp_reader *)> reader(asp_reader_create(&wrong),
-                                                             asp_reader_free);
-  if (reader && !asp_reader_set(reader.get(), "meter", units_.meter, &wrong))
-    heights_.reset(asp_reader_read(reader.get(), path.c_str(), is_map, &wrong));
+  asp_error doubt;
+  char report[700];
+  heights_.reset(
+      asp_heights_read(path.c_str(), is_map, units_.meter, report, sizeof report, &doubt, &wrong));
   int good = heights_ != NULL, all;
   if (!good && wrong.code == ASP_ENOMEM)
     throw_error(wrong); /* of this rank alone */
@@ -136,10 +136,10 @@ void Model::read_measured() {
   if (!all)
     throw Error(good ? "the file '" + path + "' cannot be read by all ranks"
                      : std::string(wrong.text) + asp_reader_advice(wrong.text));
-  report_ = asp_reader_text(reader.get());
-  if (asp_reader_check(reader.get(), &wrong))
+  report_ = report;
+  if (doubt.code)
     engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
-                 wrong.text + asp_reader_advice(wrong.text));
+                 doubt.text + asp_reader_advice(doubt.text));
   if (asp_description_set_heights(description_.get(), heights_.get(), &wrong))
     throw_error(wrong);
 }

@@ -22,17 +22,12 @@ asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_
   *doubt = (asp_error){ASP_OK, ""};
   if (!d->file || d->choice.heights)
     return ASP_OK;
+  asp_error wrong;
   const char *kind = asp_description_word(d, "surface");
   if (!(d->units.meter > 0))
     return aspi_fail(error, ASP_EARG, "a %s is in SI units, which cannot be converted to %s", kind,
                      d->units.name);
-  asp_error wrong = {ASP_OK, ""};
-  asp_reader *reader = asp_reader_create(&wrong);
-  if (reader && !asp_reader_set(reader, "meter", d->units.meter, &wrong))
-    *heights = asp_reader_read(reader, d->file, d->kind == ASPI_MAP, &wrong);
-  if (reader)
-    asp_reader_check(reader, doubt);
-  asp_reader_free(reader);
+  *heights = asp_heights_read(d->file, d->kind == ASPI_MAP, d->units.meter, NULL, 0, doubt, &wrong);
   return *heights ? ASP_OK
                   : aspi_fail(error, wrong.code, "%s%s", wrong.text, asp_reader_advice(wrong.text));
 }

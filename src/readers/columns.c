@@ -87,11 +87,10 @@ static void describe(const aspi_table *t, const aspi_axes *axes, aspi_raw *raw) 
 
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error) {
-  aspi_missing missing = {.stated = options->has_missing ? options->missing : NAN};
+  aspi_missing missing = {.stated = options->missing};
   aspi_points points = {0};
   aspi_axes axes;
-  bool is_matrix,
-      chosen = (options->x_column || options->x_number) && (options->z_column || options->column);
+  bool is_matrix, chosen = options->x_column && (options->z_column || options->column);
   aspi_table *t;
   asp_code code = aspi_table_open(text, !raw->is_map && options->step[0] > 0 ? 1 : 2, &t, error);
   if (!code)

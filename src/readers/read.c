@@ -13,7 +13,7 @@
 #include <string.h>
 
 aspi_profile_options aspi_profile_options_default(void) {
-  return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1};
+  return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1, .missing = NAN};
 }
 
 /* Adds what was read to what was mended. */
@@ -71,7 +71,7 @@ static asp_code check_map_options(const char *path, const aspi_profile_options *
              {"lambda_s", o->filters.lambda_s > 0},
              {"cutoff", o->filters.cutoff > 0},
              {"column", o->column > 0},
-             {"x_column", o->x_number > 0 || o->x_column},
+             {"x_column", o->x_column != NULL},
              {"z_column", o->z_column},
              {"row", o->row != 1}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
@@ -135,4 +135,25 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
     raw.z[i] *= options->meter;
   const double step[] = {raw.step[0] * options->meter, raw.step[is_map] * options->meter};
   return aspi_heights_adopt(raw.z, raw.columns, raw.rows, step, false, error);
+}
+
+asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char *text, size_t size,
+                              asp_error *doubt, asp_error *error) {
+  aspi_profile_options options = aspi_profile_options_default();
+  aspi_profile_report report;
+  options.meter = meter;
+  asp_heights *heights =
+      aspi_read(NULL, aspi_word_or_empty(path), is_map, &options, &report, error);
+  *doubt = (asp_error){ASP_OK, ""};
+  if (*report.warnings)
+    aspi_fail(doubt, ASP_EDATA, "%s", report.warnings);
+  if (text)
+    snprintf(text, size, "%s", report.text);
+  return heights;
+}
+
+const char *asp_reader_advice(const char *message) {
+  return strstr(message, "reader: ")
+             ? "; the command 'asperity surface' does so, and saves the file"
+             : "";
 }

@@ -27,23 +27,17 @@ typedef struct aspi_profile_options {
   bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
   int row;       /* of an SDF map, from 1 */
   int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
-  int x_number;  /* 0, or: of a text file, the column of positions, from 1 */
   const char *x_column,
       *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
   double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
                      the columns and the rows of a matrix; 0: as the file states */
-  double missing; /* if has_missing: the height that marks a missing one */
-  bool has_missing;
+  double missing; /* the height that marks a missing one; NAN: there is none */
   aspi_filters filters;
 } aspi_profile_options;
 
 /* Units as stated, meters, a mean line taken out, gaps refused, unequal spacing resampled, first
  * row of a map, heights in the second column of a text file. */
 aspi_profile_options aspi_profile_options_default(void);
-
-/* Sets an option by name; see asp_reader_set. */
-asp_code aspi_profile_options_set(aspi_profile_options *options, const char *name, double value,
-                                  asp_error *error);
 
 /* Findings and repairs of the reader. */
 typedef struct aspi_profile_report {
@@ -56,8 +50,8 @@ typedef struct aspi_profile_report {
 } aspi_profile_report;
 
 /* Reads a measured profile or map from a stream at its beginning, or where that is NULL from the
- * file `path`, levels and repairs it as the options ask; see asp_reader. NULL for `options`: the
- * defaults; for `report`: none. NULL on error; the message names file and line. */
+ * file `path`, levels and repairs it as the options ask; see asp_heights_read. NULL for `options`:
+ * the defaults; for `report`: none. NULL on error; the message names file and line. */
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
                        const aspi_profile_options *options, aspi_profile_report *report,
                        asp_error *error);

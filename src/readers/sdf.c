@@ -219,8 +219,8 @@ static asp_code check_options(const char *path, const aspi_profile_options *opti
     bool given;
   } all[] = {{"unit", options->unit_x > 0 || options->unit_z > 0},
              {"step", options->step[0] > 0},
-             {"missing", options->has_missing},
-             {"x_column", options->x_column || options->x_number > 0},
+             {"missing", !isnan(options->missing)},
+             {"x_column", options->x_column != NULL},
              {"z_column", options->z_column != NULL}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     if (all[i].given)

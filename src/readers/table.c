@@ -350,8 +350,7 @@ static asp_code choose(aspi_table *t, const heading *h, const aspi_profile_optio
                        aspi_axes *axes, asp_error *error) {
   bool alone = options->step[0] > 0;
   int x = -1, z = -1;
-  asp_code code =
-      alone ? ASP_OK : find_asked(t, h, options->x_column, options->x_number, &x, error);
+  asp_code code = alone ? ASP_OK : find_asked(t, h, options->x_column, 0, &x, error);
   code = code ? code : find_asked(t, h, options->z_column, options->column, &z, error);
   if (code)
     return code;

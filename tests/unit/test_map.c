@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
+#include "readers/read.h"
 #include "surface/describe.h"
 
 #include <stdlib.h>
@@ -53,11 +54,12 @@ static void write_matrix(const char *path, const char *head, const char *separat
   fclose(file);
 }
 
-static asp_reader *reader;
+static aspi_profile_options how;
+static aspi_profile_report report;
 
 static asp_heights *read_map(const char *path) {
   asp_error error;
-  asp_heights *map = asp_reader_read(reader, path, true, &error);
+  asp_heights *map = aspi_read(NULL, path, true, &how, &report, &error);
   if (!map)
     fail_msg("%s", error.text);
   return map;
@@ -65,22 +67,21 @@ static asp_heights *read_map(const char *path) {
 
 static void refuse(const char *path, const char *words) {
   asp_error error;
-  assert_null(asp_reader_read(reader, path, true, &error));
+  assert_null(aspi_read(NULL, path, true, &how, &report, &error));
   if (!strstr(error.text, words))
     fail_msg("'%s' is not in '%s'", words, error.text);
 }
 
 static int setup(void **state) {
   (void)state;
-  reader = asp_reader_create(NULL);
-  asp_reader_set(reader, "meter", 1e6, NULL);
-  asp_reader_set(reader, "form", 0, NULL);
+  how = aspi_profile_options_default();
+  how.meter = 1e6;
+  how.form = 0;
   return 0;
 }
 
 static int teardown(void **state) {
   (void)state;
-  asp_reader_free(reader);
   unlink("map");
   return 0;
 }
@@ -105,9 +106,9 @@ static void matrices_are_read(void **state) {
     write_matrix("map", head, separators[k]);
     check_map(read_map("map"), 1e-4);
   }
-  asp_reader_set(reader, "step_x", 0.5e-6, NULL);
-  asp_reader_set(reader, "step_y", 0.7e-6, NULL);
-  asp_reader_set(reader, "unit_z", 1e-6, NULL);
+  how.step[0] = 0.5e-6;
+  how.step[1] = 0.7e-6;
+  how.unit_z = 1e-6;
   write_matrix("map", "", ",");
   check_map(read_map("map"), 1e-4);
 }
@@ -147,9 +148,9 @@ static void columns_are_chosen_by_their_names(void **state) {
     fclose(file);
     check_map(read_map("map"), 1e-4);
   }
-  asp_reader_set(reader, "step_x", 1e-6, NULL);
+  how.step[0] = 1e-6;
   refuse("map", "has the positions of its points");
-  asp_reader_set(reader, "cutoff", 1e-4, NULL);
+  how.filters.cutoff = 1e-4;
   refuse("map", "cutoff is given, which is for profiles");
 }
 
@@ -174,8 +175,8 @@ static void what_is_no_height_is_refused(void **state) {
     fclose(file);
     refuse("map", words[form]);
   }
-  asp_reader_set(reader, "missing", -770, NULL);
-  asp_reader_set(reader, "fill", 1, NULL);
+  how.missing = -770;
+  how.fill = 1;
   FILE *file = begin("map");
   fputs(head, file);
   for (int k = 0; k < ROWS * COLUMNS; k++)
@@ -183,7 +184,7 @@ static void what_is_no_height_is_refused(void **state) {
             k % COLUMNS + 1 < COLUMNS ? "\t" : "\n");
   fclose(file);
   asp_heights_free(read_map("map"));
-  assert_non_null(strstr(asp_reader_text(reader), ", 11 bad"));
+  assert_non_null(strstr(report.text, ", 11 bad"));
 }
 
 static void noise_is_no_wall(void **state) {
@@ -258,13 +259,13 @@ static void binary_files_are_read(void **state) {
     if (type == 0 || type == 4)
       continue; /* have no mark for a bad height */
     write_binary(type, "bISO-1.0", true);
-    asp_reader_set(reader, "fill", 0, NULL);
+    how.fill = 0;
     refuse("map", "1 of 7680 points are bad");
-    asp_reader_set(reader, "fill", 1, NULL);
+    how.fill = 1;
     asp_heights *map = read_map("map");
     double mean = 0.25 * (heights[20][39] + heights[20][41] + heights[19][40] + heights[21][40]);
     assert_near(map->z[20 * COLUMNS + 40], mean, 0.02);
-    assert_non_null(strstr(asp_reader_text(reader), ", 1 points filled in"));
+    assert_non_null(strstr(report.text, ", 1 points filled in"));
     asp_heights_free(map);
   }
 }
@@ -301,10 +302,10 @@ static void form_and_spikes_are_taken_out(void **state) {
   double kept[ROWS][COLUMNS];
   memcpy(kept, heights, sizeof kept);
   const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
-  asp_reader_set(reader, "form", 2, NULL);
+  how.form = 2;
   write_matrix("map", head, ",");
   asp_heights *plain = read_map("map");
-  assert_int_equal(asp_reader_check(reader, NULL), ASP_OK);
+  assert_string_equal(report.warnings, "");
   for (int j = 0; j < ROWS; j++)
     for (int i = 0; i < COLUMNS; i++)
       heights[j][i] += 300 + 2.5 * i - 1.5 * j + 0.01 * i * j + 0.02 * i * i;
@@ -315,13 +316,11 @@ static void form_and_spikes_are_taken_out(void **state) {
   heights[33][44] += 400;
   heights[70][3] -= 400;
   write_matrix("map", head, ",");
-  asp_error doubt;
   asp_heights_free(read_map("map"));
-  assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
-  assert_non_null(strstr(doubt.text, "2 of 7680 points lie over 20"));
-  asp_reader_set(reader, "spikes", 15, NULL);
+  assert_non_null(strstr(report.warnings, "2 of 7680 points lie over 20"));
+  how.spikes = 15;
   refuse("map", "is the first of 2 spikes; fill the gaps (reader: fill 1)");
-  asp_reader_set(reader, "fill", 1, NULL);
+  how.fill = 1;
   asp_heights *mended = read_map("map");
   for (size_t i = 0; i < ROWS * COLUMNS; i++)
     assert_near(mended->z[i], plain->z[i], 7);
@@ -353,15 +352,13 @@ static void ground_walls_are_not_dust(void **state) {
                                0.01 * (2 * u[1] - 1) * (c * j - s * i) + 2 * ASP_PI * u[2]);
     }
     write_matrix("map", head, ",");
-    asp_error doubt = {ASP_OK, ""};
     asp_heights_free(read_map("map"));
-    if (asp_reader_check(reader, &doubt))
-      fail_msg("lay at %d degrees: %s", degrees, doubt.text);
+    if (*report.warnings)
+      fail_msg("lay at %d degrees: %s", degrees, report.warnings);
     heights[40][50] += 100;
     write_matrix("map", head, ",");
     asp_heights_free(read_map("map"));
-    assert_int_equal(asp_reader_check(reader, &doubt), ASP_EDATA);
-    assert_non_null(strstr(doubt.text, "1 of 7680 points lie"));
+    assert_non_null(strstr(report.warnings, "1 of 7680 points lie"));
   }
   make_heights();
 }
@@ -375,7 +372,7 @@ static void depths_of_maps_become_heights(void **state) {
       fprintf(file, "%.1f,%.1f,%.6f\n", 0.5 * i, 0.7 * j, 3 - heights[j][i]);
   fclose(file);
   asp_heights *map = read_map("map");
-  assert_non_null(strstr(asp_reader_text(reader), "depths turned into heights"));
+  assert_non_null(strstr(report.text, "depths turned into heights"));
   check_map(map, 1e-4);
 }
 
@@ -416,7 +413,7 @@ static void long_lines_are_read(void **state) {
   for (int k = 0; k < 4 * LONG; k++)
     fprintf(file, "%.5f%s", sin(k), (k + 1) % LONG ? " " : "\n");
   fclose(file);
-  asp_reader_set(reader, "form", -1, NULL);
+  how.form = -1;
   asp_heights *map = read_map("map");
   assert_int_equal(map->columns, LONG);
   assert_int_equal(map->rows, 4);

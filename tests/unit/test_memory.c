@@ -151,14 +151,11 @@ static asp_heights *gauss_map(asp_error *error) {
 }
 
 static asp_code read_area(const char *path, asp_error *error) {
-  asp_reader *own = asp_reader_create(error);
-  if (!own)
-    return error->code;
-  asp_reader_set(own, "fill", 1, NULL);
-  asp_reader_set(own, "spikes", 8, NULL);
-  asp_heights *made = asp_reader_read(own, path, true, error);
+  aspi_profile_options options = aspi_profile_options_default();
+  options.fill = true;
+  options.spikes = 8;
+  asp_heights *made = aspi_read(NULL, path, true, &options, NULL, error);
   asp_heights_free(made);
-  asp_reader_free(own);
   return code_of(made, error);
 }
 
@@ -262,12 +259,6 @@ static asp_code rough_wall(asp_error *error) {
   asp_wall *wall = aspi_wall_create(&choice, error);
   asp_wall_free(wall);
   return code_of(wall, error);
-}
-
-static asp_code reader(asp_error *error) {
-  asp_reader *made = asp_reader_create(error);
-  asp_reader_free(made);
-  return code_of(made, error);
 }
 
 static asp_code pair(asp_error *error) {
@@ -419,7 +410,6 @@ int main(void) {
       {"materials", materials, true},
       {"table", table, true},
       {"smooth wall", smooth_wall, true},
-      {"reader", reader, true},
       {"pair", pair, true},
       {"material", material, true},
   };

@@ -316,7 +316,9 @@ static void columns_far_to_the_right(void **state) {
   o.column = 0;
   o.z_column = "81";
   expect(text, &o, 4, 1e-6, 4e-6);
-  o = (aspi_profile_options){.meter = 1, .form = -1, .row = 1, .column = 81};
+  o = aspi_profile_options_default();
+  o.form = -1;
+  o.column = 81;
   char map[2000] = "aISO-1.0\nNumPoints = 100\nNumProfiles = 4\nXscale = 1e-6\nYscale = 2e-6\n"
                    "Zscale = 1e-6\n*\n";
   strcat(map, text);
@@ -345,7 +347,7 @@ static void columns_are_chosen_by_their_header(void **state) {
   expect("X;Y;Z\num;um;nm\n0;7;1\n2;7;2\n4;7;4\n", NULL, 3, 2e-6, 4e-9);
   expect("Index Position Height\n# mm mm mm\n1 0 1\n2 2 2\n3 4 4\n",
          &(aspi_profile_options){
-             .meter = 1, .form = -1, .resample = true, .row = 1, .unit_x = 1e-3, .unit_z = 1e-3},
+             .meter = 1, .form = -1, .row = 1, .missing = NAN, .unit_x = 1e-3, .unit_z = 1e-3},
          3, 2e-3, 4e-3);
   expect_error("Point,Z [um]\n1,0\n2,1\n3,4\n", NULL, ASP_EDATA,
                "no column is named as a position");
@@ -406,11 +408,10 @@ static void files_of_all_kinds(void **state) {
   expect_error("x_um;z_um\n0;1\n1;2\n2;3\n3;1.004,5\n4;2\n", NULL, ASP_EDATA, "1.004,5");
   expect("x_um,z_um\n0,1\n1,inf\n2,3\n3,#NUM!\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
   assert_non_null(strstr(report.text, "points read, 2 bad"));
-  o.has_missing = true;
   o.missing = 7;
   expect("x_um,z_um\n0,1\n1,7\n2,3\n3,7.0\n4,5\n5,9\n", &o, 6, 1e-6, 3e-6);
   assert_non_null(strstr(report.text, "points read, 2 bad"));
-  o.has_missing = false;
+  o.missing = NAN;
   o.step[0] = 2e-6;
   expect("Z [um]\n1\n2\n4\n", &o, 3, 2e-6, 4e-6);
   o.step[0] = 0;
@@ -452,7 +453,7 @@ static void depths_become_heights(void **state) {
   expect("x_um,depth_um,height_um\n0,9,1\n1,9,2\n2,9,4\n", &o, 3, 1e-6, 4e-6);
   assert_null(strstr(report.text, "depths"));
   o.z_column = "2";
-  o.has_missing = o.fill = true;
+  o.fill = true;
   o.missing = 7;
   expect("x_um,depth_um,height_um\n0,1,1\n1,7,2\n2,3,4\n", &o, 3, 1e-6, -3e-6);
 }
@@ -464,7 +465,6 @@ static void suspicious_numbers_are_refused(void **state) {
   o.form = -1;
   const char *marked = "x_um,z_um\n0,1\n1,-9999\n2,3\n3,2\n4,5\n";
   expect_error(marked, &o, ASP_EDATA, ":3: height -9999, 1 times, beside heights of 1 to 5");
-  o.has_missing = true;
   o.missing = -9999;
   expect_error(marked, &o, ASP_EDATA, ":3: the first of 1 bad or missing points");
   o.fill = true;
@@ -696,52 +696,26 @@ static void bad_maps_are_named_with_their_line(void **state) {
                NULL, ASP_EDATA, "Compression is 1");
 }
 
-/* The public reader sets every option and tells what was found, as the records behind it do. */
-static void readers_are_set_by_name(void **state) {
+/* What engines read: the defaults, in their unit, with a sentence and doubts. */
+static void defaults_of_engines(void **state) {
   (void)state;
-  static const struct {
-    const char *name;
-    double good, bad;
-  } options[] = {{"unit_x", 1e-3, -1}, {"unit_z", 1e-6, NAN}, {"meter", 1e6, 0},
-                 {"form", 2, 10},      {"spikes", 8, -1},     {"fill", 1, 0.5},
-                 {"resample", 0, NAN}, {"row", 2, 0},         {"column", 1, -1}};
-  asp_reader *reader = asp_reader_create(NULL);
-  assert_non_null(reader);
-  for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
-    assert_int_equal(asp_reader_set(reader, options[i].name, options[i].bad, &error), ASP_EARG);
-    assert_non_null(strstr(error.text, options[i].name));
-    assert_int_equal(asp_reader_set(reader, options[i].name, options[i].good, NULL), ASP_OK);
-  }
-  assert_int_equal(asp_reader_set(reader, "color", 1, &error), ASP_ENAME);
-  assert_non_null(strstr(error.text, "'color'"));
-  assert_non_null(strstr(error.text, "resample"));
-  asp_reader_free(reader);
-
-  char path[] = "/tmp/test_profile.XXXXXX";
-  int handle = mkstemp(path);
-  const char *text = "x,z\n0,1\n1,2\n2,bad\n3,4\n4,9\n";
-  assert_true(handle >= 0 && write(handle, text, strlen(text)) == (ssize_t)strlen(text));
-  close(handle);
-  reader = asp_reader_create(NULL);
-  assert_null(asp_reader_read(reader, path, false, &error));
-  assert_non_null(strstr(error.text, "no unit"));
-  asp_reader_set(reader, "unit_x", 1e-3, NULL);
-  asp_reader_set(reader, "unit_z", 1e-6, NULL);
-  assert_null(asp_reader_read(reader, path, false, &error));
-  assert_non_null(strstr(error.text, ":4: the first of 1 bad"));
-  asp_reader_set(reader, "fill", 1, NULL);
-  asp_reader_set(reader, "form", -1, NULL);
-  asp_reader_set(reader, "meter", 1e6, NULL);
-  asp_heights *p = asp_reader_read(reader, path, false, &error);
+  char path[] = "/tmp/test_profile.XXXXXX", text[700];
+  asp_error doubt;
+  FILE *file = fdopen(mkstemp(path), "w");
+  fputs("x_mm,z_um\n", file);
+  for (int i = 0; i < 400; i++)
+    fprintf(file, "%d,%.3f\n", i, i == 300 ? 90 : 0.1 * i + sin(i));
+  fclose(file);
+  asp_heights *p = asp_heights_read(path, false, 1e6, text, sizeof text, &doubt, &error);
   unlink(path);
   assert_non_null(p);
-  assert_int_equal(p->columns, 5);
+  assert_int_equal(p->columns, 400);
   assert_near(p->step[0], 1e3, 1e-9);
-  assert_near(p->z[2], 3, 1e-12);
-  assert_string_equal(asp_reader_text(reader),
-                      "5 points read, 1 bad, 1 points filled in (longest gap 1), form left in");
+  assert_near(p->z[100] - p->z[102], sin(100) - sin(102), 0.02);
+  assert_string_equal(text, "400 points read, 0 bad, polynomial of degree 1 taken out");
+  assert_int_equal(doubt.code, ASP_EDATA);
+  assert_non_null(strstr(doubt.text, "1 of 400 points lie over 20"));
   asp_heights_free(p);
-  asp_reader_free(reader);
 }
 
 int main(void) {
@@ -774,7 +748,7 @@ int main(void) {
       cmocka_unit_test(bad_files_are_named_with_their_line),
       cmocka_unit_test(sections_of_a_map),
       cmocka_unit_test(bad_maps_are_named_with_their_line),
-      cmocka_unit_test(readers_are_set_by_name),
+      cmocka_unit_test(defaults_of_engines),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
