@@ -217,6 +217,16 @@ double asp_surface_uncertainty(const asp_surface *surface);
  * same to particles of all sizes: its faces are as long as the particle, d_p. */
 double asp_surface_face_length(const asp_surface *surface, double d_p);
 
+/* n contacts, as asp_wall_impacts makes them, and how much likelier what each has drawn would have
+ * been on other walls: weights[n][n_others], the density of its faces and flights there over that
+ * on the wall itself; 1 on the average. A result of contacts, each times its weight, is that of the
+ * other wall. ASP_EARG where a wall is smooth, or its model has no density (traced) or makes one
+ * hit alone. */
+asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
+                          const double *v1, const double *normals, const asp_key *keys,
+                          size_t n_others, const asp_wall *const *others, asp_impact *impacts,
+                          double *weights, asp_error *error);
+
 /* ---- contacts that follow each other closely ------------------------------------------------- */
 /* A wall is made of faces that have a length. A particle that has met one meets the next after its
  * contact has moved by that length along the wall; until then it meets the mean wall. A particle

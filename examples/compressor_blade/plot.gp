@@ -14,7 +14,8 @@ plot 'output/smooth.chord' using 1:2 with lines ls guide dt 1 title 'first impac
      'output/rough.chord' using 1:3 with linespoints ls wall_rough title 'later impacts, rough'
 set yrange [0:0.7]
 set title "wear / nm"
-plot 'output/smooth.wear' using 1:2 with lines ls wall_smooth title 'smooth', \
+plot 'output/tilted.band' using 1:2:3 with filledcurves fc '#c0c0c0' fs transparent solid 0.5 noborder title 'tilted, R_q ± 20 %', \
+     'output/smooth.wear' using 1:2 with lines ls wall_smooth title 'smooth', \
      'output/rough.wear' using 1:2 with lines ls wall_rough title 'rough, mean wall', \
      'output/tilted.wear' using 1:2 with lines ls wall_rougher title 'rough, faces (tilted)'
 unset multiplot

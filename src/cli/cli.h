@@ -36,7 +36,7 @@ typedef struct cli_command {
 } cli_command;
 
 extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_erosion, cli_materials,
-    cli_spread, cli_surface, cli_trade;
+    cli_sensitivity, cli_spread, cli_surface, cli_trade;
 
 /* A command as it is called, once in a process: what it reads and makes stays until the end. */
 enum { CLI_OPTIONS_MOST = 24 };

@@ -7,9 +7,9 @@
 #include <gsl/gsl_errno.h>
 #include <string.h>
 
-static const cli_command *const commands[] = {&cli_surface, &cli_spread,    &cli_cor,
-                                              &cli_compare, &cli_calibrate, &cli_erosion,
-                                              &cli_trade,   &cli_materials, NULL};
+static const cli_command *const commands[] = {
+    &cli_surface, &cli_spread,      &cli_cor,   &cli_compare,   &cli_calibrate,
+    &cli_erosion, &cli_sensitivity, &cli_trade, &cli_materials, NULL};
 
 enum { COMMANDS = sizeof commands / sizeof *commands - 1 };
 

@@ -18,6 +18,7 @@
 #define SPEED "speed"
 #define LENGTH "length"
 #define OF_MASS "mass"
+#define RATE "rate"
 
 /* Angles may be rounded, and noise puts no rebound farther below the wall than this, in degrees. */
 #define RIGHT_ANGLE (90 * (1 + ASPI_ROUNDING_TEXT))
@@ -67,6 +68,24 @@ static const struct {
     [TRIANGLE] = {"triangle", RATIO, 0, INT_MAX},
     [MASS] = {"mass", OF_MASS, 0, LARGE},
     [ERODED] = {"eroded_mass", OF_MASS, 0, LARGE},
+    [DELTA_ALPHA] = {"delta_alpha", ANGLE, -RIGHT_ANGLE, RIGHT_ANGLE},
+    [TILT_OUT] = {"tilt_out", ANGLE, -RIGHT_ANGLE, RIGHT_ANGLE},
+    [HITS] = {"hits", RATIO, 0, INT_MAX},
+    [TAG] = {"tag", RATIO, 0, LARGE},
+    [IMPACT] = {"impact", RATIO, 0, UINT32_MAX},
+    [BODY] = {"body", RATIO, 0, LARGE},
+    [NORMAL + 0] = {"nx", RATIO, -LARGE, LARGE},
+    [NORMAL + 1] = {"ny", RATIO, -LARGE, LARGE},
+    [NORMAL + 2] = {"nz", RATIO, -LARGE, LARGE},
+    [BEFORE + 0] = {"v1x", SPEED, -LARGE, LARGE},
+    [BEFORE + 1] = {"v1y", SPEED, -LARGE, LARGE},
+    [BEFORE + 2] = {"v1z", SPEED, -LARGE, LARGE},
+    [AFTER + 0] = {"v2x", SPEED, -LARGE, LARGE},
+    [AFTER + 1] = {"v2y", SPEED, -LARGE, LARGE},
+    [AFTER + 2] = {"v2z", SPEED, -LARGE, LARGE},
+    [SPIN + 0] = {"omega1x", RATE, -LARGE, LARGE},
+    [SPIN + 1] = {"omega1y", RATE, -LARGE, LARGE},
+    [SPIN + 2] = {"omega1z", RATE, -LARGE, LARGE},
 };
 
 /* ---- names and units ---- */
@@ -134,12 +153,16 @@ static double ledger_unit(const char *comment, const char *kind) {
   const char *named = strstr(comment, UNITS);
   named = named ? named + strlen(UNITS) : "si";
   bool length = strcmp(kind, LENGTH) == 0, speed = strcmp(kind, SPEED) == 0;
-  if (!length && !speed && strcmp(kind, OF_MASS) != 0)
+  bool rate = strcmp(kind, RATE) == 0;
+  if (!length && !speed && !rate && strcmp(kind, OF_MASS) != 0)
     return 1;
   for (size_t i = 0; i < sizeof units / sizeof *units; i++)
     if (strlen(units[i].name) == strcspn(named, ";") &&
         strncmp(units[i].name, named, strlen(units[i].name)) == 0)
-      return length ? units[i].length : speed ? units[i].speed : units[i].mass;
+      return length  ? units[i].length
+             : speed ? units[i].speed
+             : rate  ? units[i].speed / units[i].length
+                     : units[i].mass;
   return NAN;
 }
 

@@ -34,7 +34,17 @@ enum {
   TRIANGLE,
   MASS,
   ERODED,
-  SCATTER_COLUMNS
+  DELTA_ALPHA,
+  TILT_OUT,
+  HITS,
+  TAG,
+  IMPACT,
+  BODY,
+  NORMAL, /* three numbers, here and below */
+  BEFORE = NORMAL + 3,
+  AFTER = BEFORE + 3,
+  SPIN = AFTER + 3,
+  SCATTER_COLUMNS = SPIN + 3
 };
 
 /* A table that is read row by row; of each column its place in the file, -1 where there is none,

@@ -37,7 +37,8 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
 /* The impact of an eccentric grain. It turns, and as long as its center still approaches the wall
  * it hits again, with another point; at last as a sphere. */
 static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particle *particle, vec v,
-                             vec n, aspi_stream *stream, asp_impact *impact) {
+                             vec n, aspi_stream *stream, const aspi_rivals *rivals,
+                             asp_impact *impact) {
   double d = particle->d_p, mass = ASP_PI / 6 * particle->density * d * d * d;
   double turn = 10 / (mass * d * d);
   asp_body body = {1 / mass, {turn, turn, turn, 0, 0, 0}, {0, 0, 0}};
@@ -49,7 +50,7 @@ static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particl
       own.body = NULL;
     else
       store(draw_lever(wall, wall->lever * d, load(own.omega), -dot(v, n), n, stream), body.lever);
-    aspi_impact_at(wall, rough, &own, v, n, stream, impact);
+    aspi_impact_at(wall, rough, &own, v, n, stream, rivals, impact);
     if (sum.hits == 0) {
       sum.delta_alpha = impact->delta_alpha;
       sum.tilt_out = impact->tilt_out;
@@ -68,7 +69,7 @@ static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particl
 
 static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
                           const double v1[3], const double n[3], const asp_key *key,
-                          asp_impact *impact) {
+                          const aspi_rivals *rivals, asp_impact *impact) {
   asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
     if (!wall->pair)
@@ -78,21 +79,29 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   }
   aspi_stream stream = aspi_stream_begin(key);
   if (wall->lever > 0 && !particle->body)
-    impact_eccentric(wall, rough, particle, load(v1), unit(load(n)), &stream, impact);
+    impact_eccentric(wall, rough, particle, load(v1), unit(load(n)), &stream, rivals, impact);
   else
-    aspi_impact_at(wall, rough, particle, load(v1), load(n), &stream, impact);
+    aspi_impact_at(wall, rough, particle, load(v1), load(n), &stream, rivals, impact);
   return ASP_OK;
 }
 
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact) {
-  return impact_on(wall, wall->rough, particle, v1, n, key, impact);
+  return impact_on(wall, wall->rough, particle, v1, n, key, NULL, impact);
 }
 
 asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
                               const double v1[3], const double n[3], const asp_key *key,
                               asp_impact *impact) {
-  return impact_on(wall, false, particle, v1, n, key, impact);
+  return impact_on(wall, false, particle, v1, n, key, NULL, impact);
+}
+
+static asp_code fail_law(const asp_wall *wall, asp_code code, asp_error *error) {
+  return code ? aspi_fail(error, code,
+                          "rebound law '%s' needs a pair of materials, and neither the particle "
+                          "nor the wall has one",
+                          wall->law->name)
+              : ASP_OK;
 }
 
 asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *particles,
@@ -101,11 +110,37 @@ asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *pa
   asp_code code = ASP_OK;
   for (size_t i = 0; i < n && !code; i++)
     code = asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
-  return code ? aspi_fail(error, code,
-                          "rebound law '%s' needs a pair of materials, and neither the particle "
-                          "nor the wall has one",
-                          wall->law->name)
-              : ASP_OK;
+  return fail_law(wall, code, error);
+}
+
+static bool has_weights(const asp_wall *wall) {
+  const asp_spread_model *model = wall->spread;
+  return wall->rough && wall->multiple && !wall->follow && model->density && !model->escape;
+}
+
+asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
+                          const double *v1, const double *normals, const asp_key *keys,
+                          size_t n_others, const asp_wall *const *others, asp_impact *impacts,
+                          double *weights, asp_error *error) {
+  asp_code code = ASP_OK;
+  for (size_t k = 0; k <= n_others; k++) {
+    const asp_wall *of = k < n_others ? others[k] : wall;
+    if (!has_weights(of) || of->isotropic != wall->isotropic)
+      return aspi_fail(
+          error, ASP_EARG,
+          "a wall with spread '%s' has no weights; it must be rough, with a model that "
+          "has a density, as visible, collisions multiple, and the same tilt",
+          of->spread->name);
+  }
+  for (size_t i = 0; i < n && !code; i++) {
+    aspi_rivals rivals = {n_others, others, weights + i * n_others};
+    memset(rivals.sums, 0, n_others * sizeof *rivals.sums);
+    code = impact_on(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &rivals,
+                     &impacts[i]);
+  }
+  for (size_t i = 0; i < n * n_others; i++)
+    weights[i] = exp(weights[i]);
+  return fail_law(wall, code, error);
 }
 
 /* a/b, limited to RATIO_MOST. */

@@ -146,8 +146,10 @@ typedef struct flight {
   aspi_heading heading;
   incidence now;
   aspi_stream *stream;
-  bool begun;   /* the depth is known */
-  double depth; /* of the particle, see walk_escapes */
+  bool begun;          /* the depth is known */
+  double depth;        /* of the particle, see walk_escapes */
+  double before, step; /* the depth before the last step, and how far that went */
+  const aspi_rivals *rivals;
 } flight;
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
@@ -156,6 +158,12 @@ static double smith(double nu) {
     return 0;
   nu = fmax(nu, NU_LEAST);
   return 0.5 * (exp(-nu * nu) / (nu * sqrt(ASP_PI)) - erfc(nu));
+}
+
+/* The slope of a flight over the mean wall, in (t, b, n). */
+static double rise_of(vec out) {
+  double along = hypot(out.x, out.y);
+  return along <= NO_DIRECTION * fabs(out.z) ? copysign(INFINITY, out.z) : out.z / along;
 }
 
 static double exponential(aspi_stream *stream) {
@@ -169,6 +177,7 @@ static double exponential(aspi_stream *stream) {
  * it. */
 static bool walk_escapes(flight *fly, double rise, double slope) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope));
+  fly->before = fly->depth;
   if (rise > 0 && !(lambda > 0))
     return true;
   bool first = !fly->begun;
@@ -180,10 +189,57 @@ static bool walk_escapes(flight *fly, double rise, double slope) {
   if (first)
     fly->depth /= 1 + smith(tan(fly->now.view.alpha1) / (sqrt(2) * fly->now.slopes.slope));
   fly->begun = true;
-  if (rise > 0)
-    return (fly->depth -= step / lambda) < 0;
-  fly->depth += step / (1 + lambda);
-  return false;
+  fly->before = fly->depth;
+  fly->step = rise > 0 ? step / lambda : step / (1 + lambda);
+  fly->depth += rise > 0 ? -fly->step : fly->step;
+  return fly->depth < 0;
+}
+
+/* The logarithm of the density of a face. */
+static double log_face(const asp_wall *wall, const incidence *at, const face *on) {
+  const asp_spread_model *model =
+      at->view.alpha1 < 0 && !wall->spread->upward ? wall->upward : wall->spread;
+  double tilt = log(model->density(&at->view, on->delta));
+  if (!wall->isotropic)
+    return tilt;
+  double aside = (on->q - at->slopes.beta * tan(on->delta)) / at->slopes.sd;
+  return tilt - log(at->slopes.sd) - 0.5 * aside * aside;
+}
+
+/* The logarithm of the density of what walk_escapes has drawn; of an escape after the first hit,
+ * whose depth nobody sees, that of the escape alone. */
+static double log_walk(const flight *fly, const incidence *at, double rise, double slope,
+                       bool first, bool escaped) {
+  double lambda = smith(fabs(rise) / (sqrt(2) * slope)), sum = 0;
+  double above = first ? 1 + smith(tan(at->view.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
+  if (first && escaped)
+    return log(above / (above + lambda));
+  if (first)
+    sum = log(above) - above * fly->before;
+  if (escaped)
+    return sum - lambda * fly->before;
+  double rate = rise > 0 ? lambda : 1 + lambda;
+  return sum + log(rate) - rate * fly->step;
+}
+
+/* Adds to the rivals' sums for a face that is hit, and for what comes of it: `out`, as below; NULL
+ * of a deposit. */
+static void weigh(const asp_wall *wall, const flight *fly, const frame *now, const face *on,
+                  bool first, const vec *out, bool escaped) {
+  const aspi_rivals *rivals = fly->rivals;
+  for (size_t k = 0; rivals && k < rivals->n; k++) {
+    aspi_roughness rough = aspi_roughness_of(rivals->walls[k], fly->rough->particle, now->n);
+    incidence at = incidence_at(&rough, fly->heading, fly->now.view.alpha1, first);
+    rivals->sums[k] += log_face(rivals->walls[k], &at, on) - log_face(wall, &fly->now, on);
+    if (!out)
+      continue;
+    aspi_heading heading = aspi_heading_turned(fly->heading, out->x, out->y);
+    double rise = rise_of(*out);
+    rivals->sums[k] +=
+        log_walk(fly, &at, rise, aspi_roughness_along(&rough, heading).slope, first, escaped) -
+        log_walk(fly, &fly->now, rise, aspi_roughness_along(fly->rough, heading).slope, first,
+                 escaped);
+  }
 }
 
 /* True if the particle escapes with the velocity `out` that a face has given it, in (t, b, n). */
@@ -194,11 +250,10 @@ static bool escapes(const asp_wall *wall, flight *fly, vec out) {
   if (wall->spread->escape)
     return out.z > 0 && aspi_stream_uniform(fly->stream) <
                             wall->spread->escape(&fly->now.view, atan2(out.z, along));
-  bool steep = along <= NO_DIRECTION * fabs(out.z);
   double slope = fly->now.slopes.slope;
   if (aspi_roughness_has_lay(fly->rough))
     slope = aspi_roughness_along(fly->rough, aspi_heading_turned(fly->heading, out.x, out.y)).slope;
-  return walk_escapes(fly, steep ? copysign(INFINITY, out.z) : out.z / along, slope);
+  return walk_escapes(fly, rise_of(out), slope);
 }
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
@@ -219,10 +274,11 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. Of single hits, a
  * face that would send the particle into the wall is drawn again. */
 static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stream *stream,
-                      asp_impact *impact) {
+                      const aspi_rivals *rivals, asp_impact *impact) {
   const asp_wall *wall = rough->wall;
   const asp_particle *particle = rough->particle;
-  flight fly = {.rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream};
+  flight fly = {
+      .rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream, .rivals = rivals};
   fly.now = incidence_at(rough, fly.heading, impact_angle(now), true);
   aspi_path path = {0};
   vec v2 = {0, 0, 0}, spin = load(particle->omega);
@@ -249,14 +305,17 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
         !(wall->multiple || deposit || local.z > 0))
       continue;
     spin = turned;
-    if (impact->hits++ == 0) {
+    bool first = impact->hits++ == 0;
+    if (first) {
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
     }
     impact->eroded += eroded_there(wall, particle, now, on.m);
     v2 = to_lab(now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-    if (deposit || !wall->multiple || escapes(wall, &fly, local)) {
+    bool ends = deposit || !wall->multiple || escapes(wall, &fly, local);
+    weigh(wall, &fly, now, &on, first, deposit ? NULL : &local, ends);
+    if (ends) {
       store(deposit ? v2 : leaving(now, v2), impact->v2);
       store(spin, impact->omega);
       return;
@@ -277,7 +336,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
 }
 
 static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *particle, vec v,
-                   frame *f, aspi_stream *stream, asp_impact *impact) {
+                   frame *f, aspi_stream *stream, const aspi_rivals *rivals, asp_impact *impact) {
   if (!on_faces) {
     bounce_off_mean_wall(wall, particle, f, stream, impact);
     return;
@@ -285,7 +344,7 @@ static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *part
   aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
   if (!has_direction(f))
     choose_direction(&rough, f, stream);
-  bounce_on(&rough, v, f, stream, impact);
+  bounce_on(&rough, v, f, stream, rivals, impact);
 }
 
 /* The velocity of the touching sphere. */
@@ -301,7 +360,7 @@ static void to_center(const asp_particle *particle, asp_impact *impact) {
 }
 
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
-                    aspi_stream *stream, asp_impact *impact) {
+                    aspi_stream *stream, const aspi_rivals *rivals, asp_impact *impact) {
   vec u = touching(particle, v);
   frame f = frame_of(u, n);
   impact->capped = false;
@@ -309,7 +368,7 @@ void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *partic
   double on_mean = wall->erosion.law && !wall->erosion.tilted
                        ? aspi_hit_erosion(wall, particle, &f, (vec){0, 0, 1})
                        : 0;
-  bounce(wall, rough, particle, u, &f, stream, impact);
+  bounce(wall, rough, particle, u, &f, stream, rivals, impact);
   impact->eroded += on_mean;
   to_center(particle, impact);
 }

@@ -14,9 +14,17 @@ static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_partic
   return own;
 }
 
+/* Other walls of the same law, and for each the logarithm of how likely the draws of an impact are
+ * there, over how likely they are on its own wall. */
+typedef struct aspi_rivals {
+  size_t n;
+  const asp_wall *const *walls;
+  double *sums;
+} aspi_rivals;
+
 /* An impact as asp_wall_impact has it, of a sphere or a body that has its pair, on the wall's faces
- * or, not `rough`, on the mean wall. */
+ * or, not `rough`, on the mean wall. Adds to the sums of rivals, which may be NULL. */
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
-                    aspi_stream *stream, asp_impact *impact);
+                    aspi_stream *stream, const aspi_rivals *rivals, asp_impact *impact);
 
 #endif

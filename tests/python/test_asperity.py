@@ -200,6 +200,56 @@ class Walls(unittest.TestCase):
         (self.folder / "none.csv").write_text("# wall\ntag,d_p\n")
         self.assertEqual(asperity.read(self.folder / "none.csv").shape, (0,))
 
+    def sensitivity(self, table, *words):
+        """What the command says of a ledger with these columns; its message where it refuses."""
+        path, out = self.folder / "full.csv", self.folder / "out.csv"
+        columns = {name: np.broadcast_to(values, len(table["tag"])) for name, values in table.items()}
+        path.write_text("# made here\n" + ",".join(columns) + "\n" + "".join(
+            ",".join(f"{x:.10g}" for x in row) + "\n" for row in zip(*columns.values())))
+        done = subprocess.run([COMMAND, "sensitivity", path, *words, "--name", "python", "-o", out],
+                              capture_output=True, env={}, text=True)
+        return {row["result"]: row for row in asperity.read(out) if row["triangle"] == "all"} \
+            if done.returncode == 0 else done.stderr
+
+    def test_weights_are_those_of_the_command(self):
+        own, n, h, spin = "surface rq 4um lambda_c 40um " + PAIR, 3000, 1e-3, (1e3, 0, 2e3)
+        factors = {"to": 1.1, "up": np.exp(h), "down": np.exp(-h)}
+        others = [asperity.Wall(f"surface rq {4 * f:.17g}um lambda_c 40um {PAIR}")
+                  for f in factors.values()]
+        v1 = asperity.velocities(30, np.radians(np.linspace(5, 60, n)))
+        tag = np.arange(1, n + 1)
+        made, weights = asperity.Wall(own).impacts(v1, 1e-5, omega=spin, others=others)
+        self.assertEqual(made.tobytes(), asperity.Wall(own).impacts(v1, 1e-5, omega=spin).tobytes())
+        self.assertLess(abs(weights[:, 0].mean() - 1), 4 * weights[:, 0].std() / n ** 0.5)
+        mass, x = 2650 * np.pi / 6 * 1e-15, made["outcome"].astype(float)
+        vectors = {f"{name}{axis}": values[..., k] for name, values in
+                   (("n", np.array([0, 0, 1.])), ("v1", v1), ("v2", made["v2"]), ("omega1", np.array(spin)))
+                   for k, axis in enumerate("xyz")}
+        table = {"tag": tag, "impact": 1, "mesh": 1, "triangle": tag % 7, "d_p": 1e-5, "v1": 30,
+                 "alpha1_deg": np.linspace(5, 60, n), "delta_alpha_deg": np.degrees(made["delta_alpha"]),
+                 "tilt_out_deg": 1, "hits": made["hits"], "outcome": made["outcome"], "mass": mass,
+                 "eroded_mass": 0, "body": 0, **vectors}
+        found = self.sensitivity(table, *own.split(), "--to", "surface rq 4.4um lambda_c 40um")
+        off = (x - x.mean()) * n / (n - 1)
+        score = np.log(weights[:, 1] / weights[:, 2]) / (2 * h)
+        stuck = found["stuck_share"]
+        for name, values in (("value", x), ("to", x + off * (weights[:, 0] - 1)), ("d_rq", off * score)):
+            self.assertAlmostEqual(stuck[name], values.mean(), 5)
+            self.assertLess(abs(stuck[name + "_se"] / (values.std() / n ** 0.5) - 1), 0.01)
+        self.assertLess(abs(found["deposited_mass_kg"]["value"] / mass / x.sum() - 1), 1e-5)
+        for changed, words, text in (
+                ({}, own + " seed 2", "must be the words of the run"),
+                ({"body": 3}, own, "part of body 3"),
+                ({"alpha1_deg": np.where(tag % 50, 30, 0)}, own, "stay at the wall.*at most 1 %"),
+                ({}, "surface smooth " + PAIR, "must be given by rq and lambda_c, or by sigma"),
+                ({}, "surface rq 4um lambda_c 40um spread multicollision plane " + PAIR, "has no weights")):
+            self.assertRegex(self.sensitivity({**table, **changed}, *words.split()), text)
+        self.assertRegex(self.sensitivity(table, *own.split(), "--to", "surface rq 30um lambda_c 40um"),
+                         "must be 100 at least")
+        self.assertRegex(self.sensitivity(table, *own.split(), "--to", "rq 5um"), "--to is 'rq 5um'")
+        del table["mass"]
+        self.assertRegex(self.sensitivity(table, *own.split()), "'mass'.*columns full")
+
     def test_threads_share_a_wall(self):
         wall = asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}")
         v1 = asperity.velocities(100, np.full(4000, 0.3))

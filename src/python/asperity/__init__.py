@@ -19,7 +19,7 @@ import ctypes
 import warnings
 import weakref
 from ctypes import POINTER, byref, c_bool, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
-from typing import Any, Iterator
+from typing import Any, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,6 +84,7 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "surface_r_q": (_D, _P), "surface_lambda_c": (_D, _P), "surface_lambda_along": (_D, _P),
     "surface_phi_r": (_D, _P), "surface_slope_rms": (_D, _P), "wall_slope": (_D, _P, _D),
     "wall_impacts": (c_int, _P, _N, _P, _P, _P, _P, _P, _E),
+    "wall_weights": (c_int, _P, _N, _P, _P, _P, _P, _N, _P, _P, _P, _E),
     "impacts_coefficients": (None, _N, _P, _P, _P, _P)}
 
 
@@ -247,7 +248,8 @@ walton 0.9 0.3 0 deposit freeze seed 1')
                 density: ArrayLike | None = None, omega: ArrayLike = (0, 0, 0),
                 lay: ArrayLike | None = None, temperature: ArrayLike = 0, u_tau: ArrayLike = 0,
                 body: NDArray[np.void] | None = None, tag: ArrayLike | None = None,
-                impact: ArrayLike = 1, seed: int | None = None) -> NDArray[np.void]:
+                impact: ArrayLike = 1, seed: int | None = None,
+                others: Sequence[Wall] = ()) -> Any:
         """One impact for each velocity.
 
         Parameters
@@ -273,11 +275,18 @@ walton 0.9 0.3 0 deposit freeze seed 1')
             Number of the particle (1 to n) and of its impact, from 1.
         seed : int, optional
             That of the words if not given. The same tag, impact and seed draw the same numbers.
+        others : sequence of Wall
+            Walls with other roughness and all else alike, for the second result. The walls must be
+            rough, with a spread model that has a density, such as visible.
 
         Returns
         -------
         array of asp_impact, by columns
             v2, omega, delta_alpha, tilt_out, hits, capped, outcome (0 rebound, 1 deposit), eroded.
+        (n, len(others)) array, only with `others`
+            How much likelier the draws of each impact would have been on the other walls: a mean
+            over impacts with these weights is that of the other wall. Impacts of one particle in a
+            row have the product of their weights.
         """
         v1 = _vectors("v1", v1)
         n = len(v1)
@@ -300,9 +309,14 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         keys["tag"] = np.arange(1, n + 1) if tag is None else _whole("tag", tag, (1 << 64) - 1)
         keys["impact"] = _whole("impact", impact, (1 << 32) - 1)
         self._check(v1 + np.cross(spin, lever), normals, particles)
-        _call("wall_impacts", self._wall, n, particles.ctypes.data, v1.ctypes.data,
-              normals.ctypes.data, keys.ctypes.data, made.ctypes.data)
-        return made
+        arrays = [a.ctypes.data for a in (particles, v1, normals, keys)]
+        if not others:
+            _call("wall_impacts", self._wall, n, *arrays, made.ctypes.data)
+            return made
+        walls, weights = np.array([w._wall for w in others], np.uintp), np.zeros((n, len(others)))
+        _call("wall_weights", self._wall, n, *arrays, len(others), walls.ctypes.data,
+              made.ctypes.data, weights.ctypes.data)
+        return made, weights
 
     def _lay(self) -> tuple[float, ...] | None:
         """The lay of the words; an angle is from x toward y, as in the command."""

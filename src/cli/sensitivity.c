@@ -1,0 +1,280 @@
+/* asperity sensitivity: how the results of a run depend on the roughness of its wall, and what they
+ * would be on another one, from its ledger: each impact is made again from its key, and its draws
+ * are weighed by the other walls.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/sensitivity.h"
+#include "cli/description.h"
+#include "cli/scatter.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STEP 1e-3           /* relative, of a derivative */
+#define SAME 1e-6           /* off the velocity of a row, which has ten digits */
+#define ALONG 1e-6          /* degrees: impacts below are of particles that stay at the wall */
+#define STAYS_MOST 0.01     /* of the impacts */
+#define EFFECTIVE_LEAST 100 /* particles */
+#define CLASS 10            /* degrees: width of a class of impact angles */
+
+enum { PARAMETERS = ASPI_OTHER - ASPI_DERIVATIVE, WALLS_MOST = 2 * PARAMETERS + 1 };
+
+typedef struct study {
+  const char *path;
+  cli_description own;
+  asp_key key;
+  const char *names[PARAMETERS]; /* of numbers of the surface */
+  size_t n_names, n_walls;       /* walls: two for each name, a step up and a step down; another */
+  const asp_wall *walls[WALLS_MOST];
+  bool has_other, has_erosion, has_mass; /* mass: of one particle, not of a parcel of them */
+  aspi_drawn *drawn;
+  size_t n, grains, staying;
+  double effective; /* particles about the other wall */
+} study;
+
+/* ---- walls ---- */
+
+static void add_wall(study *s, const asp_description *words) {
+  asp_error error;
+  s->walls[s->n_walls] = asp_wall_create(words, 0, 0, &error);
+  cli_must(s->walls[s->n_walls++], &error);
+}
+
+/* The wall of the run with another surface. */
+static void add_other(study *s, const char *surface) {
+  asp_error error;
+  const char *rest = s->own.text + asp_description_clause(s->own.text);
+  char *text = cli_allocate(strlen(surface) + strlen(rest) + 2, 1);
+  sprintf(text, "%s %s", surface, rest);
+  const asp_description *words = asp_description_parse(text, NULL, &error);
+  if (!words)
+    cli_bad_usage("--to is '%s', behind which '%s' stays: %s", surface, rest, error.text);
+  add_wall(s, words);
+  s->has_other = true;
+}
+
+static void make_walls(study *s, const char *to) {
+  static const char *const names[] = {"rq", "lambda_c", "sigma"};
+  asp_description *words = s->own.words;
+  cli_description_make(&s->own, 0, 0);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    double value = asp_description_get(words, names[i]);
+    if (!(value > 0))
+      continue;
+    s->names[s->n_names++] = names[i];
+    for (int sign = 1; sign >= -1; sign -= 2) {
+      asp_description_set(words, names[i], value * exp(sign * STEP), NULL);
+      add_wall(s, words);
+    }
+    asp_description_set(words, names[i], value, NULL);
+  }
+  if (s->n_names == 0)
+    cli_bad_usage("surface is '%s'; it must be given by rq and lambda_c, or by sigma",
+                  asp_description_word(words, "surface"));
+  if (to)
+    add_other(s, to);
+}
+
+/* ---- impacts ---- */
+
+/* The draws depend on the name of the wall: --name, or the fix of the heading. */
+static void take_heading(study *s, const char *name, const char *heading) {
+  static const char before[] = "; fix ", behind[] = " wall/rebound";
+  const char *fix = strstr(heading, before), *end = fix ? strstr(fix, behind) : NULL;
+  char *own = end ? cli_copy(fix + strlen(before)) : NULL;
+  if (own)
+    own[strlen(own) - strlen(end)] = '\0';
+  if (!own && !name)
+    cli_bad_usage("%s: its first line has no 'fix ID wall/rebound'; --name must give the name of "
+                  "the wall, as 'kinematicCloud:.*' of a cloud and an entry of its walls",
+                  s->path);
+  s->has_mass = own != NULL;
+  s->has_erosion = strstr(heading, " erosion ");
+  s->key.seed = (uint32_t)asp_description_get(s->own.words, "seed");
+  s->key.wall = asp_key_wall(name ? name : own);
+  free(own);
+}
+
+/* Makes the impact of a row again, and takes the weights of its draws. */
+static void weigh(const study *s, size_t line, const double of[], aspi_drawn *d) {
+  asp_error error;
+  asp_impact is;
+  double lay[3], weights[WALLS_MOST], *own = d->own;
+  asp_particle particle = {.d_p = of[D_P],
+                           .density = s->has_mass ? of[MASS] / (ASP_PI / 6 * pow(of[D_P], 3))
+                                                  : s->own.density,
+                           .pair = s->own.pair,
+                           .lay = cli_description_lay(&s->own, lay)};
+  memcpy(particle.omega, of + SPIN, sizeof particle.omega);
+  asp_key key = {s->key.seed, s->key.wall, (uint64_t)of[TAG], (uint32_t)of[IMPACT]};
+  cli_must(!asp_wall_weights(s->own.wall, 1, &particle, of + BEFORE, of + NORMAL, &key, s->n_walls,
+                             s->walls, &is, weights, &error),
+           &error);
+  const double *v = of + AFTER;
+  double off = hypot(hypot(is.v2[0] - v[0], is.v2[1] - v[1]), is.v2[2] - v[2]);
+  if (!(off <= SAME * of[V1]) || is.hits != (int)of[HITS])
+    cli_bad_usage(
+        "%s:%zu: impact %u of particle %.0f ends with (%.6g, %.6g, %.6g) m/s after %.0f "
+        "hits, and by the words with (%.6g, %.6g, %.6g) after %d; these must be the words "
+        "of the run, with its constants and its seed",
+        s->path, line, key.impact, of[TAG], v[0], v[1], v[2], of[HITS], is.v2[0], is.v2[1],
+        is.v2[2], is.hits);
+  for (size_t i = 0; i < s->n_names; i++)
+    own[ASPI_DERIVATIVE + i] = log(weights[2 * i] / weights[2 * i + 1]) / (2 * STEP);
+  if (s->has_other)
+    own[ASPI_OTHER] = weights[s->n_walls - 1];
+}
+
+static void add_row(study *s, size_t line, const double of[]) {
+  if (of[BODY] > 0)
+    cli_bad_usage("%s:%zu: particle %.0f is part of body %.0f; it must be a sphere of its own: a "
+                  "ledger has no inertia",
+                  s->path, line, of[TAG], of[BODY]);
+  s->drawn = cli_grow(s->drawn, s->n, sizeof *s->drawn);
+  bool stuck = of[OUTCOME] > 0, stays = !(of[ALPHA1] > ALONG);
+  aspi_drawn *d = &s->drawn[s->n++];
+  *d = (aspi_drawn){.tag = of[TAG],
+                    .row = (double)s->n,
+                    .own = {[ASPI_RUN] = 1, [ASPI_OTHER] = 1},
+                    .result = {stuck, stuck ? of[MASS] : 0, of[ERODED], stuck ? NAN : of[POINT],
+                               stuck ? NAN : of[POINT + COR_T]},
+                    .mesh = (int)of[MESH],
+                    .triangle = (int)of[TRIANGLE],
+                    .alpha1 = of[ALPHA1]};
+  /* A particle that stays at the wall draws by another key; one that is still on its last face hits
+   * the mean wall, and draws nothing. */
+  s->staying += stays;
+  if (!stays && (fabs(of[DELTA_ALPHA]) > 0 || fabs(of[TILT_OUT]) > 0))
+    weigh(s, line, of, d);
+}
+
+static void read_ledger(study *s, const char *name) {
+  static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
+  double of[SCATTER_COLUMNS];
+  cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
+  take_heading(s, name, ledger.csv->comment);
+  for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
+    cli_scatter_need(&ledger, needed[i], "");
+  for (int c = MASS; c < SCATTER_COLUMNS; c++)
+    cli_scatter_need(&ledger, c, "; a ledger has it with 'columns full'");
+  while (cli_scatter_row(&ledger, of))
+    add_row(s, ledger.csv->text.line, of);
+  s->grains = aspi_drawn_order(s->drawn, s->n, &s->effective);
+  if ((double)s->staying > STAYS_MOST * (double)s->n)
+    cli_fail("%s: %zu of %zu impacts are of particles that stay at the wall, whose draws cannot be "
+             "made again; at most %g %% may be",
+             s->path, s->staying, s->n, 100 * STAYS_MOST);
+  if (!(s->effective >= EFFECTIVE_LEAST))
+    cli_fail("%s: its %zu particles tell as much as %.1f%s; that must be %d at least", s->path,
+             s->grains, s->effective, s->has_other ? " about the wall of --to" : "",
+             EFFECTIVE_LEAST);
+}
+
+/* ---- results ---- */
+
+/* What impacts are put together by, and the results of these. */
+static const struct {
+  const char *names[ASPI_RESULTS];
+} levels[] = {{{"stuck_share", "deposited_mass_kg", "eroded_mass_kg"}},
+              {{NULL, "deposited_mass_kg", "eroded_mass_kg"}},
+              {{NULL, "deposited_mass_kg", "eroded_mass_kg"}},
+              {{NULL, NULL, NULL, "cor_n", "cor_t"}}};
+enum { IN_ALL, BY_MESH, BY_TRIANGLE, BY_ANGLE, LEVELS };
+
+static double place_of(const aspi_drawn *d, int level) {
+  return level == IN_ALL     ? 0
+         : level == BY_MESH  ? d->mesh
+         : level == BY_ANGLE ? floor(fmin(d->alpha1, 89) / CLASS)
+                             : 2147483648.0 * d->mesh + d->triangle;
+}
+
+static void print_parts(FILE *out, const study *s, const aspi_estimate *found, double share) {
+  for (int k = 0; k < ASPI_PARTS; k++)
+    if (k < ASPI_DERIVATIVE + (int)s->n_names || (k == ASPI_OTHER && s->has_other))
+      cli_row(out, ",%.6g,%.3g", found[k].value / share, found[k].se / share);
+  fputc('\n', out);
+}
+
+static void print_place(FILE *out, const study *s, int level, const aspi_drawn *at, size_t n) {
+  for (int result = 0; result < ASPI_RESULTS; result++) {
+    aspi_estimate found[ASPI_PARTS];
+    double share = result == ASPI_STUCK ? (double)s->grains : 1;
+    if (!levels[level].names[result] || (result == ASPI_ERODED && !s->has_erosion))
+      continue;
+    aspi_sensitivity(at, n, result, s->grains, found);
+    fprintf(out, "%s,", levels[level].names[result]);
+    fprintf(out, level == BY_MESH || level == BY_TRIANGLE ? "%d," : "all,", at->mesh);
+    fprintf(out, level == BY_TRIANGLE ? "%d," : "all,", at->triangle);
+    fprintf(out, level == BY_ANGLE ? "%g" : "", CLASS * (at->place + 0.5));
+    print_parts(out, s, found, share);
+  }
+}
+
+static void print_all(FILE *out, const study *s) {
+  fputs("result,mesh,triangle,alpha1_deg,value,value_se", out);
+  for (size_t i = 0; i < s->n_names; i++)
+    fprintf(out, ",d_%s,d_%s_se", s->names[i], s->names[i]);
+  fputs(s->has_other ? ",to,to_se\n" : "\n", out);
+  fputs("particles,all,all,", out);
+  print_parts(
+      out, s,
+      (aspi_estimate[]){{(double)s->grains, NAN}, {NAN, NAN}, {NAN, NAN}, {s->effective, NAN}}, 1);
+  for (int level = 0; level < LEVELS; level++) {
+    for (size_t i = 0; i < s->n; i++)
+      s->drawn[i].place = place_of(&s->drawn[i], level);
+    aspi_drawn_place(s->drawn, s->n);
+    for (size_t first = 0, end; first < s->n; first = end) {
+      for (end = first; end < s->n && !(s->drawn[end].place > s->drawn[first].place); end++)
+        ;
+      print_place(out, s, level, &s->drawn[first], end - first);
+    }
+  }
+}
+
+static void run(cli_call *call) {
+  if (call->n_words < 2)
+    cli_bad_usage("sensitivity: LEDGER and the words of its wall are expected; see 'asperity "
+                  "sensitivity --help'");
+  study s = {.path = call->words[0]};
+  s.own = cli_description_read(call->n_words - 1, call->words + 1, false);
+  make_walls(&s, cli_value(call, "to"));
+  read_ledger(&s, cli_value(call, "name"));
+  FILE *out = cli_output_open(call, "output", s.own.text);
+  print_all(out, &s);
+  cli_file_close(out);
+}
+
+static const cli_option options[] = {
+    {"to", "SURFACE",
+     "another surface, as 'surface rq 6um lambda_c 40um': what the results would be there", NULL},
+    {"name", "NAME", "name of the wall; that of the fix, which the ledger has", NULL},
+    {.name = NULL}};
+
+static const char detail[] =
+    "LEDGER is the file of a fix's ledger, with 'columns full'; behind it stand the words of its\n"
+    "wall, with its materials, whose surface is given by rq and lambda_c, or by sigma. Each "
+    "impact\n"
+    "is made again, and its draws are weighed by walls with other numbers. One run so tells how\n"
+    "results depend on them, with standard errors over its particles: the share of the particles\n"
+    "that stick (those that never hit are not counted), the mass that sticks and that is worn "
+    "off,\n"
+    "in all, per mesh and per triangle, and mean coefficients in classes of 10 degrees. d_rq is "
+    "the\n"
+    "derivative by ln rq: 10 % more rq adds 0.1 d_rq. The row 'particles' has their number and, "
+    "in\n"
+    "the column 'to', how many particles of a run on the wall of --to would tell as much.\n"
+    "Weights move no particle: where none went in the run, they tell nothing. A surface of --to\n"
+    "about which the particles tell as much as less than 100 is refused.\n";
+
+const cli_command cli_sensitivity = {
+    .name = "sensitivity",
+    .arguments = "LEDGER WALL",
+    .summary = "how a run's results depend on the wall's roughness, from its ledger",
+    .detail = detail,
+    .examples =
+        "  $ asperity sensitivity impacts.csv surface rq 5um lambda_c 40um materials quartz "
+        "304-ss\n",
+    .options = options,
+    .run = run,
+};

@@ -1,0 +1,201 @@
+/* Weights of the draws of impacts, and what they say about other walls, against runs at these.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "check.h"
+
+#include "analysis/sensitivity.h"
+
+#define WALL(surface) surface " materials quartz 304-ss"
+static const double up[3] = {0, 0, 1};
+
+static asp_wall *wall_of(const char *words) {
+  asp_error error = {ASP_OK, ""};
+  asp_wall *wall = asp_wall_from_text(words, 1e-6, 1e-4, &error);
+  assert_string_equal(error.text, "");
+  return wall;
+}
+
+static void set_speed(double speed, double degrees, double v[3]) {
+  v[0] = speed * cos(degrees * ASP_PI / 180);
+  v[1] = 0;
+  v[2] = -speed * sin(degrees * ASP_PI / 180);
+}
+
+/* Means of an impact over many, with the squares of their standard errors. */
+enum { WEIGHT, STUCK, HITS, UP, ALONG, MEANS };
+static void add(const asp_impact *impact, double weight, double mean[MEANS], double square[MEANS]) {
+  const double x[MEANS] = {1, impact->outcome == ASP_DEPOSIT, impact->hits, impact->v2[2],
+                           impact->v2[0]};
+  for (int k = 0; k < MEANS; k++) {
+    mean[k] += weight * x[k];
+    square[k] += weight * weight * x[k] * x[k];
+  }
+}
+
+static void check_weights(const char *own, const char *other, double d_p, double degrees) {
+  enum { N = 5000 };
+  asp_wall *wall = wall_of(own);
+  const asp_wall *others[] = {wall, wall_of(other)};
+  const double lay[3] = {1, 2, 0};
+  const asp_particle grain = {.d_p = d_p, .density = 2650, .lay = lay, .omega = {1e4, 2e4, 0}};
+  double v1[3], weights[2], mean[2][MEANS] = {{0}}, square[2][MEANS] = {{0}};
+  set_speed(30, degrees, v1);
+  for (uint64_t tag = 1; tag <= N; tag++) {
+    asp_impact by_weights, plain, there;
+    const asp_key key = {1, 2, tag, 1}, other_key = {2, 2, tag, 1};
+    assert_int_equal(
+        asp_wall_weights(wall, 1, &grain, v1, up, &key, 2, others, &by_weights, weights, NULL),
+        ASP_OK);
+    asp_wall_impact(wall, &grain, v1, up, &key, &plain);
+    assert_memory_equal(by_weights.v2, plain.v2, sizeof plain.v2);
+    assert_near(weights[0], 1, 1e-12);
+    add(&plain, weights[1], mean[0], square[0]);
+    asp_wall_impact(others[1], &grain, v1, up, &other_key, &there);
+    add(&there, 1, mean[1], square[1]);
+  }
+  for (int k = 0; k < MEANS; k++) {
+    double variance = 0;
+    for (int of = 0; of < 2; of++)
+      variance += square[of][k] / N - mean[of][k] * mean[of][k] / N / N;
+    assert_near(mean[0][k] / N, mean[1][k] / N, 4 * sqrt(fmax(0, variance) / N) + 1e-4);
+  }
+  asp_wall_free(wall);
+  asp_wall_free((asp_wall *)others[1]);
+}
+
+static void weights_give_the_other_wall(void **state) {
+  (void)state;
+  static const char *const walls[][2] = {
+      {WALL("surface rq 5um lambda_c 40um"), WALL("surface rq 5.6um lambda_c 38um")},
+      {WALL("surface rq 5um lambda_c 40um spread visible plane"),
+       WALL("surface rq 4.5um lambda_c 40um spread visible plane")},
+      {WALL("surface rq 3um lambda_c 40um 80um lay 1 2 0"),
+       WALL("surface rq 3um lambda_c 36um 80um lay 1 2 0")},
+      {"surface sigma 12 rebound walton 0.8 0.3 0.2",
+       "surface sigma 13 rebound walton 0.8 0.3 0.2"},
+      {WALL("surface rq 2um lambda_c 40um spread truncated"),
+       WALL("surface rq 2.2um lambda_c 40um spread truncated")},
+      {WALL("surface rq 5um lambda_c 40um grain lever 0.05"),
+       WALL("surface rq 5.5um lambda_c 40um grain lever 0.05")}};
+  for (size_t i = 0; i < sizeof walls / sizeof *walls; i++)
+    for (int k = 0; k < 3; k++)
+      check_weights(walls[i][0], walls[i][1], k == 2 ? 1e-4 : 1e-5, (const double[]){2, 15, 70}[k]);
+}
+
+static void walls_without_weights_are_refused(void **state) {
+  (void)state;
+  static const char *const walls[] = {
+      "surface smooth", "surface rq 5um lambda_c 40um spread visible isotropic collisions single",
+      "surface rq 5um lambda_c 40um spread traced plane",
+      "surface rq 5um lambda_c 40um spread visible plane"};
+  asp_wall *own = wall_of(WALL("surface rq 5um lambda_c 40um"));
+  const asp_particle grain = {.d_p = 1e-5, .density = 2650};
+  const asp_key key = {1, 1, 1, 1};
+  double v1[3], weight;
+  set_speed(30, 30, v1);
+  for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
+    asp_impact impact;
+    asp_error error;
+    const asp_wall *other = wall_of(walls[i]);
+    assert_int_equal(
+        asp_wall_weights(own, 1, &grain, v1, up, &key, 1, &other, &impact, &weight, &error),
+        ASP_EARG);
+    assert_non_null(strstr(error.text, "it must be rough"));
+    asp_wall_free((asp_wall *)other);
+  }
+  asp_wall_free(own);
+}
+
+/* ---- runs of particles that hit up to three times ---- */
+
+enum { PARTICLES = 1500, ROWS = 3 * PARTICLES };
+#define STEP 1e-3
+
+/* Particles of the tags behind `first` on walls[0]; fills the impacts and returns how many. */
+static size_t fly(asp_wall *const walls[4], uint64_t first, aspi_drawn *drawn) {
+  size_t n = 0;
+  for (uint64_t tag = first + 1; tag <= first + PARTICLES; tag++) {
+    const asp_particle grain = {.d_p = 1e-5, .density = 2650};
+    double v[3], weights[3];
+    asp_impact is;
+    set_speed(30, 10 + (double)(tag % 30), v);
+    for (uint32_t impact = 1; impact <= 3; impact++) {
+      const asp_key key = {1, 2, tag, impact};
+      asp_wall_weights(walls[0], 1, &grain, v, up, &key, 3, (const asp_wall *const *)walls + 1, &is,
+                       weights, NULL);
+      bool stuck = is.outcome == ASP_DEPOSIT;
+      drawn[n++] =
+          (aspi_drawn){.tag = (double)tag,
+                       .row = impact,
+                       .own = {1, log(weights[0] / weights[1]) / (2 * STEP), 0, weights[2]},
+                       .result = {stuck, stuck, is.eroded, stuck ? NAN : is.v2[2] / 30, NAN}};
+      if (stuck)
+        break;
+      memcpy(v, is.v2, sizeof v);
+      v[2] = -fabs(v[2]);
+    }
+  }
+  return n;
+}
+
+static asp_wall *rough(double factor) {
+  char words[100];
+  snprintf(words, sizeof words, WALL("surface rq %.9gum lambda_c 40um"), 4 * factor);
+  return wall_of(words);
+}
+
+static void run_on(double factor, uint64_t first, aspi_drawn *drawn,
+                   aspi_estimate found[2][ASPI_PARTS]) {
+  asp_wall *walls[] = {rough(factor), rough(factor * exp(STEP)), rough(factor * exp(-STEP)),
+                       rough(factor * 1.1)};
+  double effective;
+  size_t n = fly(walls, first, drawn), grains = aspi_drawn_order(drawn, n, &effective);
+  assert_int_equal(grains, PARTICLES);
+  assert_in_range((uintmax_t)effective, PARTICLES / 2, PARTICLES);
+  aspi_sensitivity(drawn, n, ASPI_STUCK, grains, found[0]);
+  aspi_sensitivity(drawn, n, ASPI_COR, grains, found[1]);
+  for (int i = 0; i < 4; i++)
+    asp_wall_free(walls[i]);
+}
+
+/* The means over runs of a value and of what tells it, with the spread of the latter. */
+static void one_run_tells_of_others(void **state) {
+  (void)state;
+  enum { RUNS = 20 };
+  static aspi_drawn drawn[ROWS];
+  for (int result = 0; result < 2; result++) {
+    double mean[ASPI_PARTS] = {0}, square[ASPI_PARTS] = {0}, se[ASPI_PARTS] = {0};
+    double more = 0, less = 0, other = 0;
+    for (uint64_t r = 0; r < RUNS; r++) {
+      aspi_estimate found[2][ASPI_PARTS];
+      run_on(exp(0.05), (100 + r) * PARTICLES, drawn, found);
+      more += found[result][ASPI_RUN].value / RUNS;
+      run_on(exp(-0.05), (100 + r) * PARTICLES, drawn, found);
+      less += found[result][ASPI_RUN].value / RUNS;
+      run_on(1.1, (200 + r) * PARTICLES, drawn, found);
+      other += found[result][ASPI_RUN].value / RUNS;
+      run_on(1, r * PARTICLES, drawn, found);
+      for (int k = 0; k < ASPI_PARTS; k++) {
+        mean[k] += found[result][k].value / RUNS;
+        square[k] += found[result][k].value * found[result][k].value / RUNS;
+        se[k] += found[result][k].se / RUNS;
+      }
+    }
+    for (int k = 0; k < ASPI_PARTS; k += k == ASPI_DERIVATIVE ? 2 : 1) { /* one has a parameter */
+      double sd = sqrt((square[k] - mean[k] * mean[k]) * RUNS / (RUNS - 1));
+      assert_near(se[k] / sd, 1, 0.4);
+    }
+    double run = se[ASPI_RUN] / sqrt(RUNS), own = se[ASPI_DERIVATIVE] / sqrt(RUNS);
+    assert_near(mean[ASPI_DERIVATIVE], (more - less) / 0.1, 4 * hypot(own, run * sqrt(2) / 0.1));
+    assert_near(mean[ASPI_OTHER], other, 4 * hypot(se[ASPI_OTHER] / sqrt(RUNS), run));
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(weights_give_the_other_wall),
+      cmocka_unit_test(walls_without_weights_are_refused),
+      cmocka_unit_test(one_run_tells_of_others),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
