@@ -42,7 +42,7 @@ size_t aspi_drawn_order(aspi_drawn *drawn, size_t n, double *effective) {
     squares += weight * weight;
     grains++;
   }
-  *effective = sum * sum / squares;
+  *effective = squares > 0 ? sum * sum / squares : 0;
   return grains;
 }
 

@@ -133,12 +133,15 @@ static void add_row(study *s, size_t line, const double of[]) {
                   s->path, line, of[TAG], of[BODY]);
   s->drawn = cli_grow(s->drawn, s->n, sizeof *s->drawn);
   bool stuck = of[OUTCOME] > 0, stays = !(of[ALPHA1] > ALONG);
+  asp_impact is = {.outcome = stuck ? ASP_DEPOSIT : ASP_REBOUND};
+  memcpy(is.v2, of + AFTER, sizeof is.v2);
+  asp_coefficients cor = asp_impact_coefficients(of + BEFORE, of + NORMAL, &is);
   aspi_drawn *d = &s->drawn[s->n++];
   *d = (aspi_drawn){.tag = of[TAG],
                     .row = (double)s->n,
                     .own = {[ASPI_RUN] = 1, [ASPI_OTHER] = 1},
-                    .result = {stuck, stuck ? of[MASS] : 0, of[ERODED], stuck ? NAN : of[POINT],
-                               stuck ? NAN : of[POINT + COR_T]},
+                    .result = {stuck, stuck ? of[MASS] : 0, of[ERODED], stays ? NAN : cor.cor_n,
+                               stays ? NAN : cor.cor_t},
                     .mesh = (int)of[MESH],
                     .triangle = (int)of[TRIANGLE],
                     .alpha1 = of[ALPHA1]};
@@ -154,6 +157,7 @@ static void read_ledger(study *s, const char *name) {
   double of[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
   take_heading(s, name, ledger.csv->comment);
+  ledger.at[POINT] = ledger.at[POINT + COR_T] = -1; /* without a limit at grazing incidence */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
     cli_scatter_need(&ledger, needed[i], "");
   for (int c = MASS; c < SCATTER_COLUMNS; c++)

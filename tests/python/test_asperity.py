@@ -228,7 +228,7 @@ class Walls(unittest.TestCase):
         table = {"tag": tag, "impact": 1, "mesh": 1, "triangle": tag % 7, "d_p": 1e-5, "v1": 30,
                  "alpha1_deg": np.linspace(5, 60, n), "delta_alpha_deg": np.degrees(made["delta_alpha"]),
                  "tilt_out_deg": 1, "hits": made["hits"], "outcome": made["outcome"], "mass": mass,
-                 "eroded_mass": 0, "body": 0, **vectors}
+                 "eroded_mass": 0, "body": 0, "cor_n": 1e300, **vectors}
         found = self.sensitivity(table, *own.split(), "--to", "surface rq 4.4um lambda_c 40um")
         off = (x - x.mean()) * n / (n - 1)
         score = np.log(weights[:, 1] / weights[:, 2]) / (2 * h)
