@@ -217,11 +217,10 @@ double asp_surface_uncertainty(const asp_surface *surface);
  * same to particles of all sizes: its faces are as long as the particle, d_p. */
 double asp_surface_face_length(const asp_surface *surface, double d_p);
 
-/* n contacts, as asp_wall_impacts makes them, and how much likelier what each has drawn would have
- * been on other walls: weights[n][n_others], the density of its faces and flights there over that
- * on the wall itself; 1 on the average. A result of contacts, each times its weight, is that of the
- * other wall. ASP_EARG where a wall is smooth, or its model has no density (traced) or makes one
- * hit alone. */
+/* n contacts as asp_wall_impacts makes them, and the likelihood ratios of their draws on other walls:
+ * weights[n][n_others], the density of a contact's faces and flights there over that on its own
+ * wall, with mean 1. Weighted means over contacts are those on the other wall. ASP_EARG if a wall is
+ * smooth, its model has no density (traced), or it has `collisions single`. */
 asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,

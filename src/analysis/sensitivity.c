@@ -46,8 +46,8 @@ size_t aspi_drawn_order(aspi_drawn *drawn, size_t n, double *effective) {
   return grains;
 }
 
-/* What the impacts at a place have on the average: the result, their scores; and the result with
- * their weights. Of those that have a result. */
+/* Means over the impacts at a place that have the result: of the result, of the scores, and of the
+ * weighted result. */
 typedef struct average {
   double of[ASPI_PARTS], count, weights;
 } average;
@@ -74,8 +74,8 @@ static average average_of(const aspi_drawn *drawn, size_t n, int result) {
   return a;
 }
 
-/* Adds an impact to a sum. Its own draws leave the mean of the other impacts as it is on the
- * average, so what they do to it is taken out, for a smaller standard error (a control variate). */
+/* Adds an impact to a sum. The mean over the other impacts times the impact's own score has mean 0
+ * and is subtracted, for a smaller standard error (a control variate). */
 static void add_to_sum(const aspi_drawn *d, double x, const average *a, double sum[ASPI_PARTS]) {
   double off = a->count > 1 ? (x - a->of[ASPI_RUN]) * a->count / (a->count - 1) : x;
   sum[ASPI_RUN] += x;
@@ -84,7 +84,7 @@ static void add_to_sum(const aspi_drawn *d, double x, const average *a, double s
     sum[k] += x * d->before[k] + off * d->own[k];
 }
 
-/* Adds how far an impact is off the means. */
+/* Adds an impact's deviation from the means. */
 static void add_to_mean(const aspi_drawn *d, double x, const average *a, double sum[ASPI_PARTS]) {
   double off = x - a->of[ASPI_RUN];
   sum[ASPI_RUN] += off;

@@ -1,8 +1,8 @@
-/* How results of a run would change with the roughness of its wall, from the draws of its impacts.
+/* Sensitivity of a run's results to the roughness of its wall by the likelihood-ratio method.
  *
- * What a particle does after a draw counts with the product of the weights of all its draws so far
- * (asp_wall_weights); the derivative of that product is the sum of the scores, which are the
- * derivatives of the logarithms. Later draws have the mean weight 1 and the mean score 0.
+ * On another wall, a result of an impact has as weight the product of the likelihood ratios of the
+ * particle's draws up to it (asp_wall_weights). The derivative of that product is the sum of the
+ * scores, the derivatives of the log likelihoods. Later draws have mean ratio 1 and mean score 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_SENSITIVITY_H
@@ -11,25 +11,25 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What an impact adds to the sums of a run; and its coefficients, NAN where there are none. */
+/* Results of an impact: three are summed, coefficients (NAN for deposits) are averaged. */
 enum { ASPI_STUCK, ASPI_DEPOSITED, ASPI_ERODED, ASPI_COR, ASPI_RESULTS = ASPI_COR + 2 };
 
-/* The run itself, its derivatives by two parameters, and another wall. */
+/* Estimates: of the run, derivatives by two parameters, on another wall. */
 enum { ASPI_RUN, ASPI_DERIVATIVE, ASPI_OTHER = ASPI_DERIVATIVE + 2, ASPI_PARTS };
 
 typedef struct aspi_drawn {
   double tag, row;        /* which particle; the row of the ledger, which is in order of time */
-  double own[ASPI_PARTS]; /* of its draws: 1, two scores, the weight on another wall */
+  double own[ASPI_PARTS]; /* of its draws: 1, two scores, likelihood ratio */
   double result[ASPI_RESULTS];
   int mesh, triangle;
   double alpha1;             /* degrees */
-  double place;              /* by which the caller sorts them */
+  double place;              /* set by the caller before aspi_drawn_place */
   size_t grain;              /* from 0; this and the next are set by aspi_drawn_order */
   double before[ASPI_PARTS]; /* of the particle's earlier draws: 1, sums, product */
 } aspi_drawn;
 
-/* Sorts impacts by particle and row; returns how many particles there are. *effective: how many
- * would tell as much about the other wall if their weights were equal. */
+/* Sorts impacts by particle and row; returns how many particles there are. *effective: the
+ * effective sample size (sum w)^2 / sum w^2 for the other wall. */
 size_t aspi_drawn_order(aspi_drawn *drawn, size_t n, double *effective);
 
 /* Sorts them by place, and at a place by particle. */

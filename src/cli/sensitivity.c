@@ -1,6 +1,6 @@
-/* asperity sensitivity: how the results of a run depend on the roughness of its wall, and what they
- * would be on another one, from its ledger: each impact is made again from its key, and its draws
- * are weighed by the other walls.
+/* asperity sensitivity: derivatives of a run's results by the roughness of its wall, and the
+ * results on another wall, from its ledger. Repeats each impact from its key and computes the
+ * likelihood ratios of its draws on other walls.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/sensitivity.h"
@@ -12,11 +12,11 @@
 #include <string.h>
 
 #define STEP 1e-3           /* relative, of a derivative */
-#define SAME 1e-6           /* off the velocity of a row, which has ten digits */
-#define ALONG 1e-6          /* degrees: impacts below are of particles that stay at the wall */
+#define SAME 1e-6           /* relative error of a velocity: rows have ten digits */
+#define ALONG 1e-6          /* degrees; particles that rest at the wall hit it below this angle */
 #define STAYS_MOST 0.01     /* of the impacts */
 #define EFFECTIVE_LEAST 100 /* particles */
-#define CLASS 10            /* degrees: width of a class of impact angles */
+#define CLASS 10            /* degrees, of impact angles */
 
 enum { PARAMETERS = ASPI_OTHER - ASPI_DERIVATIVE, WALLS_MOST = 2 * PARAMETERS + 1 };
 
@@ -24,13 +24,13 @@ typedef struct study {
   const char *path;
   cli_description own;
   asp_key key;
-  const char *names[PARAMETERS]; /* of numbers of the surface */
-  size_t n_names, n_walls;       /* walls: two for each name, a step up and a step down; another */
+  const char *names[PARAMETERS]; /* rq and lambda_c, or sigma */
+  size_t n_names, n_walls;       /* walls: each parameter a step up and down; that of --to */
   const asp_wall *walls[WALLS_MOST];
-  bool has_other, has_erosion, has_mass; /* mass: of one particle, not of a parcel of them */
+  bool has_other, has_erosion, has_mass; /* mass of a single particle, not of a parcel */
   aspi_drawn *drawn;
   size_t n, grains, staying;
-  double effective; /* particles about the other wall */
+  double effective; /* sample size, for the wall of --to */
 } study;
 
 /* ---- walls ---- */
@@ -41,7 +41,7 @@ static void add_wall(study *s, const asp_description *words) {
   cli_must(s->walls[s->n_walls++], &error);
 }
 
-/* The wall of the run with another surface. */
+/* The run's wall with another surface. */
 static void add_other(study *s, const char *surface) {
   asp_error error;
   const char *rest = s->own.text + asp_description_clause(s->own.text);
@@ -78,7 +78,7 @@ static void make_walls(study *s, const char *to) {
 
 /* ---- impacts ---- */
 
-/* The draws depend on the name of the wall: --name, or the fix of the heading. */
+/* The wall's name is part of the random key: --name, or the ID of the fix in the heading. */
 static void take_heading(study *s, const char *name, const char *heading) {
   static const char before[] = "; fix ", behind[] = " wall/rebound";
   const char *fix = strstr(heading, before), *end = fix ? strstr(fix, behind) : NULL;
@@ -96,7 +96,7 @@ static void take_heading(study *s, const char *name, const char *heading) {
   free(own);
 }
 
-/* Makes the impact of a row again, and takes the weights of its draws. */
+/* Repeats the impact of a row and takes the ratios of its draws. */
 static void weigh(const study *s, size_t line, const double of[], aspi_drawn *d) {
   asp_error error;
   asp_impact is;
@@ -115,9 +115,9 @@ static void weigh(const study *s, size_t line, const double of[], aspi_drawn *d)
   double off = hypot(hypot(is.v2[0] - v[0], is.v2[1] - v[1]), is.v2[2] - v[2]);
   if (!(off <= SAME * of[V1]) || is.hits != (int)of[HITS])
     cli_bad_usage(
-        "%s:%zu: impact %u of particle %.0f ends with (%.6g, %.6g, %.6g) m/s after %.0f "
-        "hits, and by the words with (%.6g, %.6g, %.6g) after %d; these must be the words "
-        "of the run, with its constants and its seed",
+        "%s:%zu: impact %u of particle %.0f left with (%.6g, %.6g, %.6g) m/s after %.0f hits; with "
+        "this description it leaves with (%.6g, %.6g, %.6g) after %d: description, constants and "
+        "seed must be those of the run",
         s->path, line, key.impact, of[TAG], v[0], v[1], v[2], of[HITS], is.v2[0], is.v2[1],
         is.v2[2], is.hits);
   for (size_t i = 0; i < s->n_names; i++)
@@ -128,8 +128,8 @@ static void weigh(const study *s, size_t line, const double of[], aspi_drawn *d)
 
 static void add_row(study *s, size_t line, const double of[]) {
   if (of[BODY] > 0)
-    cli_bad_usage("%s:%zu: particle %.0f is part of body %.0f; it must be a sphere of its own: a "
-                  "ledger has no inertia",
+    cli_bad_usage("%s:%zu: particle %.0f is part of body %.0f; it must be a single sphere, since "
+                  "ledgers do not contain inertia",
                   s->path, line, of[TAG], of[BODY]);
   s->drawn = cli_grow(s->drawn, s->n, sizeof *s->drawn);
   bool stuck = of[OUTCOME] > 0, stays = !(of[ALPHA1] > ALONG);
@@ -145,8 +145,8 @@ static void add_row(study *s, size_t line, const double of[]) {
                     .mesh = (int)of[MESH],
                     .triangle = (int)of[TRIANGLE],
                     .alpha1 = of[ALPHA1]};
-  /* A particle that stays at the wall draws by another key; one that is still on its last face hits
-   * the mean wall, and draws nothing. */
+  /* A resting particle draws with another key; one that is still on its last face hits the mean
+   * wall and draws nothing. */
   s->staying += stays;
   if (!stays && (fabs(of[DELTA_ALPHA]) > 0 || fabs(of[TILT_OUT]) > 0))
     weigh(s, line, of, d);
@@ -157,7 +157,8 @@ static void read_ledger(study *s, const char *name) {
   double of[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
   take_heading(s, name, ledger.csv->comment);
-  ledger.at[POINT] = ledger.at[POINT + COR_T] = -1; /* without a limit at grazing incidence */
+  ledger.at[POINT] = ledger.at[POINT + COR_T] =
+      -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
     cli_scatter_need(&ledger, needed[i], "");
   for (int c = MASS; c < SCATTER_COLUMNS; c++)
@@ -166,18 +167,18 @@ static void read_ledger(study *s, const char *name) {
     add_row(s, ledger.csv->text.line, of);
   s->grains = aspi_drawn_order(s->drawn, s->n, &s->effective);
   if ((double)s->staying > STAYS_MOST * (double)s->n)
-    cli_fail("%s: %zu of %zu impacts are of particles that stay at the wall, whose draws cannot be "
-             "made again; at most %g %% may be",
+    cli_fail("%s: %zu of %zu impacts are of particles that rest at the wall, whose draws cannot be "
+             "repeated; at most %g %% may be",
              s->path, s->staying, s->n, 100 * STAYS_MOST);
   if (!(s->effective >= EFFECTIVE_LEAST))
-    cli_fail("%s: its %zu particles tell as much as %.1f%s; that must be %d at least", s->path,
-             s->grains, s->effective, s->has_other ? " about the wall of --to" : "",
+    cli_fail("%s: the effective sample size of its %zu particles is %.1f%s; it must be at least %d",
+             s->path, s->grains, s->effective, s->has_other ? " for the wall of --to" : "",
              EFFECTIVE_LEAST);
 }
 
 /* ---- results ---- */
 
-/* What impacts are put together by, and the results of these. */
+/* Groups of impacts, and the results of each. */
 static const struct {
   const char *names[ASPI_RESULTS];
 } levels[] = {{{"stuck_share", "deposited_mass_kg", "eroded_mass_kg"}},
@@ -251,25 +252,24 @@ static void run(cli_call *call) {
 
 static const cli_option options[] = {
     {"to", "SURFACE",
-     "another surface, as 'surface rq 6um lambda_c 40um': what the results would be there", NULL},
-    {"name", "NAME", "name of the wall; that of the fix, which the ledger has", NULL},
+     "also print the results on another surface, as 'surface rq 6um lambda_c 40um'", NULL},
+    {"name", "NAME", "name of the wall; default: the ID of the fix, from the ledger", NULL},
     {.name = NULL}};
 
 static const char detail[] =
-    "LEDGER is the file of a fix's ledger, with 'columns full'; behind it stand the words of its\n"
-    "wall, with its materials, whose surface is given by rq and lambda_c, or by sigma. Each "
+    "LEDGER is a fix's ledger file with 'columns full'; WALL is the description of its wall as in\n"
+    "the script, with materials. The surface must be given by rq and lambda_c, or by sigma. The\n"
+    "command repeats each impact from its random key and computes how likely its draws are on "
+    "walls\n"
+    "of other roughness. So one run shows how its results depend on roughness, with standard "
+    "errors\n"
+    "over particles: the share of particles that stick (of those that hit), the deposited and the\n"
+    "eroded mass in total, per mesh and per triangle, and mean coefficients per 10 degrees of "
     "impact\n"
-    "is made again, and its draws are weighed by walls with other numbers. One run so tells how\n"
-    "results depend on them, with standard errors over its particles: the share of the particles\n"
-    "that stick (those that never hit are not counted), the mass that sticks and that is worn "
-    "off,\n"
-    "in all, per mesh and per triangle, and mean coefficients in classes of 10 degrees. d_rq is "
-    "the\n"
-    "derivative by ln rq: 10 % more rq adds 0.1 d_rq. The row 'particles' has their number and, "
-    "in\n"
-    "the column 'to', how many particles of a run on the wall of --to would tell as much.\n"
-    "Weights move no particle: where none went in the run, they tell nothing. A surface of --to\n"
-    "about which the particles tell as much as less than 100 is refused.\n";
+    "angle. d_rq is the derivative by ln rq: 10 % more rq adds 0.1 d_rq. The row 'particles' has\n"
+    "their number, and in column 'to' the effective sample size, which must be at least 100.\n"
+    "Likelihood ratios reweight the paths of the run; they do not add paths that no particle "
+    "took.\n";
 
 const cli_command cli_sensitivity = {
     .name = "sensitivity",

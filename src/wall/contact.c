@@ -37,7 +37,7 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
 /* The impact of an eccentric grain. It turns, and as long as its center still approaches the wall
  * it hits again, with another point; at last as a sphere. */
 static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particle *particle, vec v,
-                             vec n, aspi_stream *stream, const aspi_rivals *rivals,
+                             vec n, aspi_stream *stream, const aspi_ratios *ratios,
                              asp_impact *impact) {
   double d = particle->d_p, mass = ASP_PI / 6 * particle->density * d * d * d;
   double turn = 10 / (mass * d * d);
@@ -50,7 +50,7 @@ static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particl
       own.body = NULL;
     else
       store(draw_lever(wall, wall->lever * d, load(own.omega), -dot(v, n), n, stream), body.lever);
-    aspi_impact_at(wall, rough, &own, v, n, stream, rivals, impact);
+    aspi_impact_at(wall, rough, &own, v, n, stream, ratios, impact);
     if (sum.hits == 0) {
       sum.delta_alpha = impact->delta_alpha;
       sum.tilt_out = impact->tilt_out;
@@ -69,7 +69,7 @@ static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particl
 
 static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
                           const double v1[3], const double n[3], const asp_key *key,
-                          const aspi_rivals *rivals, asp_impact *impact) {
+                          const aspi_ratios *ratios, asp_impact *impact) {
   asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
     if (!wall->pair)
@@ -79,9 +79,9 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   }
   aspi_stream stream = aspi_stream_begin(key);
   if (wall->lever > 0 && !particle->body)
-    impact_eccentric(wall, rough, particle, load(v1), unit(load(n)), &stream, rivals, impact);
+    impact_eccentric(wall, rough, particle, load(v1), unit(load(n)), &stream, ratios, impact);
   else
-    aspi_impact_at(wall, rough, particle, load(v1), load(n), &stream, rivals, impact);
+    aspi_impact_at(wall, rough, particle, load(v1), load(n), &stream, ratios, impact);
   return ASP_OK;
 }
 
@@ -133,9 +133,9 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
           of->spread->name);
   }
   for (size_t i = 0; i < n && !code; i++) {
-    aspi_rivals rivals = {n_others, others, weights + i * n_others};
-    memset(rivals.sums, 0, n_others * sizeof *rivals.sums);
-    code = impact_on(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &rivals,
+    aspi_ratios ratios = {n_others, others, weights + i * n_others};
+    memset(ratios.log, 0, n_others * sizeof *ratios.log);
+    code = impact_on(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &ratios,
                      &impacts[i]);
   }
   for (size_t i = 0; i < n * n_others; i++)

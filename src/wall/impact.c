@@ -149,7 +149,7 @@ typedef struct flight {
   bool begun;          /* the depth is known */
   double depth;        /* of the particle, see walk_escapes */
   double before, step; /* the depth before the last step, and how far that went */
-  const aspi_rivals *rivals;
+  const aspi_ratios *ratios;
 } flight;
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
@@ -195,7 +195,7 @@ static bool walk_escapes(flight *fly, double rise, double slope) {
   return fly->depth < 0;
 }
 
-/* The logarithm of the density of a face. */
+/* Log density of a face. */
 static double log_face(const asp_wall *wall, const incidence *at, const face *on) {
   const asp_spread_model *model =
       at->view.alpha1 < 0 && !wall->spread->upward ? wall->upward : wall->spread;
@@ -206,36 +206,36 @@ static double log_face(const asp_wall *wall, const incidence *at, const face *on
   return tilt - log(at->slopes.sd) - 0.5 * aside * aside;
 }
 
-/* The logarithm of the density of what walk_escapes has drawn; of an escape after the first hit,
- * whose depth nobody sees, that of the escape alone. */
+/* Log density of the last draws of walk_escapes; for an escape after the first hit the probability
+ * of escape, integrated over the depth. */
 static double log_walk(const flight *fly, const incidence *at, double rise, double slope,
                        bool first, bool escaped) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope)), sum = 0;
-  double above = first ? 1 + smith(tan(at->view.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
+  double fall = first ? 1 + smith(tan(at->view.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
   if (first && escaped)
-    return log(above / (above + lambda));
+    return log(fall / (fall + lambda));
   if (first)
-    sum = log(above) - above * fly->before;
+    sum = log(fall) - fall * fly->before;
   if (escaped)
     return sum - lambda * fly->before;
   double rate = rise > 0 ? lambda : 1 + lambda;
   return sum + log(rate) - rate * fly->step;
 }
 
-/* Adds to the rivals' sums for a face that is hit, and for what comes of it: `out`, as below; NULL
- * of a deposit. */
-static void weigh(const asp_wall *wall, const flight *fly, const frame *now, const face *on,
-                  bool first, const vec *out, bool escaped) {
-  const aspi_rivals *rivals = fly->rivals;
-  for (size_t k = 0; rivals && k < rivals->n; k++) {
-    aspi_roughness rough = aspi_roughness_of(rivals->walls[k], fly->rough->particle, now->n);
+/* Adds the ratios of a hit: of its face, and of the flight that follows with the velocity `out`, in
+ * (t, b, n); NULL for a deposit. */
+static void add_ratios(const asp_wall *wall, const flight *fly, const frame *now, const face *on,
+                       bool first, const vec *out, bool escaped) {
+  const aspi_ratios *ratios = fly->ratios;
+  for (size_t k = 0; ratios && k < ratios->n; k++) {
+    aspi_roughness rough = aspi_roughness_of(ratios->walls[k], fly->rough->particle, now->n);
     incidence at = incidence_at(&rough, fly->heading, fly->now.view.alpha1, first);
-    rivals->sums[k] += log_face(rivals->walls[k], &at, on) - log_face(wall, &fly->now, on);
+    ratios->log[k] += log_face(ratios->walls[k], &at, on) - log_face(wall, &fly->now, on);
     if (!out)
       continue;
     aspi_heading heading = aspi_heading_turned(fly->heading, out->x, out->y);
     double rise = rise_of(*out);
-    rivals->sums[k] +=
+    ratios->log[k] +=
         log_walk(fly, &at, rise, aspi_roughness_along(&rough, heading).slope, first, escaped) -
         log_walk(fly, &fly->now, rise, aspi_roughness_along(fly->rough, heading).slope, first,
                  escaped);
@@ -274,11 +274,11 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
 /* Hit after hit, until the particle leaves; `now` is at first the frame of v1. Of single hits, a
  * face that would send the particle into the wall is drawn again. */
 static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stream *stream,
-                      const aspi_rivals *rivals, asp_impact *impact) {
+                      const aspi_ratios *ratios, asp_impact *impact) {
   const asp_wall *wall = rough->wall;
   const asp_particle *particle = rough->particle;
   flight fly = {
-      .rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream, .rivals = rivals};
+      .rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream, .ratios = ratios};
   fly.now = incidence_at(rough, fly.heading, impact_angle(now), true);
   aspi_path path = {0};
   vec v2 = {0, 0, 0}, spin = load(particle->omega);
@@ -314,7 +314,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
     v2 = to_lab(now, local);
     impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
     bool ends = deposit || !wall->multiple || escapes(wall, &fly, local);
-    weigh(wall, &fly, now, &on, first, deposit ? NULL : &local, ends);
+    add_ratios(wall, &fly, now, &on, first, deposit ? NULL : &local, ends);
     if (ends) {
       store(deposit ? v2 : leaving(now, v2), impact->v2);
       store(spin, impact->omega);
@@ -336,7 +336,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
 }
 
 static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *particle, vec v,
-                   frame *f, aspi_stream *stream, const aspi_rivals *rivals, asp_impact *impact) {
+                   frame *f, aspi_stream *stream, const aspi_ratios *ratios, asp_impact *impact) {
   if (!on_faces) {
     bounce_off_mean_wall(wall, particle, f, stream, impact);
     return;
@@ -344,7 +344,7 @@ static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *part
   aspi_roughness rough = aspi_roughness_of(wall, particle, f->n);
   if (!has_direction(f))
     choose_direction(&rough, f, stream);
-  bounce_on(&rough, v, f, stream, rivals, impact);
+  bounce_on(&rough, v, f, stream, ratios, impact);
 }
 
 /* The velocity of the touching sphere. */
@@ -360,7 +360,7 @@ static void to_center(const asp_particle *particle, asp_impact *impact) {
 }
 
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
-                    aspi_stream *stream, const aspi_rivals *rivals, asp_impact *impact) {
+                    aspi_stream *stream, const aspi_ratios *ratios, asp_impact *impact) {
   vec u = touching(particle, v);
   frame f = frame_of(u, n);
   impact->capped = false;
@@ -368,7 +368,7 @@ void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *partic
   double on_mean = wall->erosion.law && !wall->erosion.tilted
                        ? aspi_hit_erosion(wall, particle, &f, (vec){0, 0, 1})
                        : 0;
-  bounce(wall, rough, particle, u, &f, stream, rivals, impact);
+  bounce(wall, rough, particle, u, &f, stream, ratios, impact);
   impact->eroded += on_mean;
   to_center(particle, impact);
 }

@@ -14,17 +14,16 @@ static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_partic
   return own;
 }
 
-/* Other walls of the same law, and for each the logarithm of how likely the draws of an impact are
- * there, over how likely they are on its own wall. */
-typedef struct aspi_rivals {
+/* Log likelihood ratios of an impact's draws: on each of n other walls, over the impact's wall. */
+typedef struct aspi_ratios {
   size_t n;
   const asp_wall *const *walls;
-  double *sums;
-} aspi_rivals;
+  double *log;
+} aspi_ratios;
 
 /* An impact as asp_wall_impact has it, of a sphere or a body that has its pair, on the wall's faces
- * or, not `rough`, on the mean wall. Adds to the sums of rivals, which may be NULL. */
+ * or, not `rough`, on the mean wall. Adds to the ratios, which may be NULL. */
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
-                    aspi_stream *stream, const aspi_rivals *rivals, asp_impact *impact);
+                    aspi_stream *stream, const aspi_ratios *ratios, asp_impact *impact);
 
 #endif

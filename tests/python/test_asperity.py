@@ -238,14 +238,14 @@ class Walls(unittest.TestCase):
             self.assertLess(abs(stuck[name + "_se"] / (values.std() / n ** 0.5) - 1), 0.01)
         self.assertLess(abs(found["deposited_mass_kg"]["value"] / mass / x.sum() - 1), 1e-5)
         for changed, words, text in (
-                ({}, own + " seed 2", "must be the words of the run"),
+                ({}, own + " seed 2", "must be those of the run"),
                 ({"body": 3}, own, "part of body 3"),
-                ({"alpha1_deg": np.where(tag % 50, 30, 0)}, own, "stay at the wall.*at most 1 %"),
+                ({"alpha1_deg": np.where(tag % 50, 30, 0)}, own, "rest at the wall.*at most 1 %"),
                 ({}, "surface smooth " + PAIR, "must be given by rq and lambda_c, or by sigma"),
                 ({}, "surface rq 4um lambda_c 40um spread multicollision plane " + PAIR, "has no weights")):
             self.assertRegex(self.sensitivity({**table, **changed}, *words.split()), text)
         self.assertRegex(self.sensitivity(table, *own.split(), "--to", "surface rq 30um lambda_c 40um"),
-                         "must be 100 at least")
+                         "it must be at least 100")
         self.assertRegex(self.sensitivity(table, *own.split(), "--to", "rq 5um"), "--to is 'rq 5um'")
         del table["mass"]
         self.assertRegex(self.sensitivity(table, *own.split()), "'mass'.*columns full")

@@ -276,17 +276,16 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         seed : int, optional
             That of the words if not given. The same tag, impact and seed draw the same numbers.
         others : sequence of Wall
-            Walls with other roughness and all else alike, for the second result. The walls must be
-            rough, with a spread model that has a density, such as visible.
+            Walls of other roughness, all else alike. All must be rough, with a spread model that has
+            a density, such as visible.
 
         Returns
         -------
         array of asp_impact, by columns
             v2, omega, delta_alpha, tilt_out, hits, capped, outcome (0 rebound, 1 deposit), eroded.
         (n, len(others)) array, only with `others`
-            How much likelier the draws of each impact would have been on the other walls: a mean
-            over impacts with these weights is that of the other wall. Impacts of one particle in a
-            row have the product of their weights.
+            Likelihood ratios of each impact's draws on the other walls: weighted means over impacts
+            are those on the other wall. The weight of a path is the product over its impacts.
         """
         v1 = _vectors("v1", v1)
         n = len(v1)
