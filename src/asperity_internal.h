@@ -204,7 +204,6 @@ void asp_surface_free(asp_surface *surface);
 /* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */
 int asp_surface_bins(const asp_surface *surface);
 double asp_surface_bin_d_p(const asp_surface *surface, int bin);
-double asp_surface_bin_slope(const asp_surface *surface, int bin);
 
 /* The standard error of the mean tilt at an impact angle of 2 degrees that comes from the length of
  * the profile, as a part of sigma: about 1.1 over the root of the length in correlation lengths. 0

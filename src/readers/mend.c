@@ -134,7 +134,7 @@ static offsets off_neighbors(const aspi_raw *raw, size_t at) {
 }
 
 /* The points over `times` robust standard deviations off their neighbors in every direction, *first
- * of them first, which `mark` makes bad. The deviation is that of the mean over the directions; at
+ * of them first, which `mark` makes bad. The deviation comes from the mean over the directions; at
  * least half the step in which heights are given, since most points of heights in steps are off by
  * nothing. */
 static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times, bool mark,

@@ -142,8 +142,7 @@ static asp_code put_in_order(aspi_points *p, const char *path, aspi_raw *raw, as
   return ASP_OK;
 }
 
-/* True if the positions are equally spaced but for rounding; *spacing is that of the line through
- * them. */
+/* True if the positions are equally spaced but for rounding; *spacing by a least-squares line. */
 static bool is_even(const aspi_points *p, const aspi_raw *raw, double q, double *spacing) {
   double n = (double)p->count, middle = (n - 1) / 2, mean = 0, product = 0, square = 0;
   for (size_t i = 0; i < p->count; i++)

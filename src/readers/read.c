@@ -61,9 +61,9 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
     aspi_append(r->text, sizeof r->text, ", form left in");
 }
 
-/* Rejects options that apply to profiles only. */
-static asp_code check_map_options(const char *path, const aspi_profile_options *o,
-                                  asp_error *error) {
+/* Refuses the named options if they are given. */
+static asp_code refuse(const char *names, const char *why, const char *path,
+                       const aspi_profile_options *o, asp_error *error) {
   const struct {
     const char *name;
     bool given;
@@ -72,36 +72,39 @@ static asp_code check_map_options(const char *path, const aspi_profile_options *
              {"cutoff", o->filters.cutoff > 0},
              {"column", o->column > 0},
              {"x_column", o->x_column != NULL},
-             {"z_column", o->z_column},
-             {"row", o->row != 1}};
+             {"z_column", o->z_column != NULL},
+             {"row", o->row != 1},
+             {"unit", o->unit_x > 0 || o->unit_z > 0},
+             {"step", o->step[0] > 0},
+             {"missing", !isnan(o->missing)}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (all[i].given)
-      return aspi_fail(error, ASP_EARG, "%.200s: %s is given, which is for profiles, not for maps",
-                       path, all[i].name);
+    if (all[i].given && aspi_word_index(names, all[i].name, strlen(all[i].name), true) >= 0)
+      return aspi_fail(error, ASP_EARG, "%.200s: %s is given%s", path, all[i].name, why);
   return ASP_OK;
 }
 
 static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                          asp_error *error) {
-  aspi_format format;
-  asp_code code = raw->is_map ? check_map_options(text->path, options, error) : ASP_OK;
-  if (!code)
-    code = aspi_format_find(text, &format, error);
+  aspi_format format = ASP_FORMAT_TEXT;
+  asp_code code = aspi_format_find(text, &format, error);
+  bool binary = format == ASP_FORMAT_SDF_BINARY;
+  if (!code && raw->is_map)
+    code = refuse("tip lambda_s cutoff column x_column z_column row",
+                  ", which is for profiles, not for maps", text->path, options, error);
+  if (!code && format != ASP_FORMAT_TEXT)
+    code = refuse("unit step missing x_column z_column",
+                  "; a file in SDF states its units, spacing and bad points itself", text->path,
+                  options, error);
+  else if (!code)
+    code = refuse("row", "; text in columns has no rows", text->path, options, error);
+  if (!code && binary && !raw->is_map)
+    code = aspi_fail(error, ASP_EDATA,
+                     "%.200s: this is SDF in binary, which is read as a map, not as a profile",
+                     text->path);
   if (code)
     return code;
-  if (format == ASP_FORMAT_SDF_BINARY)
-    return raw->is_map
-               ? aspi_read_sdf(text, true, options, raw, error)
-               : aspi_fail(error, ASP_EDATA,
-                           "%.200s: this is SDF in binary, which is read as a map, not as a "
-                           "profile",
-                           text->path);
-  if (format == ASP_FORMAT_SDF_TEXT)
-    return aspi_read_sdf(text, false, options, raw, error);
-  if (!raw->is_map && options->row != 1)
-    return aspi_fail(error, ASP_EARG, "%.200s: row %d is asked for; text in columns has no rows",
-                     text->path, options->row);
-  return aspi_read_columns(text, options, raw, error);
+  return format == ASP_FORMAT_TEXT ? aspi_read_columns(text, options, raw, error)
+                                   : aspi_read_sdf(text, binary, options, raw, error);
 }
 
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,

@@ -138,25 +138,19 @@ void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, s
 /* ---- heights that may stand for missing ones: what instruments write where they have none, as
  * -9999 ---- */
 
-enum { ASP_MISSING_KNOWN = 16 };
-
-/* A value, its number of occurrences, and the first place: a line, or the number of a point. */
-typedef struct aspi_missing_value {
-  size_t count, place;
-} aspi_missing_value;
-
 /* Starts as {.stated = NAN}, or with the height that the user declares as missing. */
 typedef struct aspi_missing {
   double stated;
   size_t count; /* of heights that are none of the known marks; their range */
   double least, most;
-  aspi_missing_value known[ASP_MISSING_KNOWN];
+  double mark;        /* the largest of the known marks */
+  size_t marks, line; /* how often it is there, and where first */
 } aspi_missing;
 
 /* Takes in one height, as the file has it, and returns it; NAN where it is the stated one. */
-double aspi_missing_note(aspi_missing *marks, double height, size_t place);
+double aspi_missing_note(aspi_missing *missing, double height, size_t line);
 
 /* ASP_EDATA if a known mark of missing heights is far outside the range of the others. */
-asp_code aspi_missing_check(const aspi_missing *marks, const char *path, asp_error *error);
+asp_code aspi_missing_check(const aspi_missing *missing, const char *path, asp_error *error);
 
 #endif

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* A header, NAN for absent keys; type: that of the heights in binary, -1 in ASCII. */
+/* A header, NAN for absent keys; type: of binary heights, -1 in ASCII. */
 typedef struct sdf {
   double points, profiles, x_scale, y_scale, z_scale, compression;
   int type;
@@ -189,7 +189,7 @@ static asp_code read_end(aspi_text *text, const sdf *h, asp_error *error) {
   return code;
 }
 
-/* Reads all heights and keeps those of a map, or of a profile's row or column, from 1; the other
+/* Reads all heights. A map keeps all of them, a profile one row or column, from 1; the other
  * one is 0. */
 static asp_code read_heights(aspi_text *text, const sdf *h, size_t row_kept, size_t column_kept,
                              aspi_raw *raw, asp_error *error) {
@@ -210,27 +210,6 @@ static asp_code read_heights(aspi_text *text, const sdf *h, size_t row_kept, siz
 }
 
 /* ---- both ---- */
-
-/* Rejects options that SDF files do not need: they state units, spacing and bad points. */
-static asp_code check_options(const char *path, const aspi_profile_options *options,
-                              asp_error *error) {
-  const struct {
-    const char *name;
-    bool given;
-  } all[] = {{"unit", options->unit_x > 0 || options->unit_z > 0},
-             {"step", options->step[0] > 0},
-             {"missing", !isnan(options->missing)},
-             {"x_column", options->x_column != NULL},
-             {"z_column", options->z_column != NULL}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (all[i].given)
-      return aspi_fail(
-          error, ASP_EARG,
-          "%.200s: %s is given; a file in SDF states its units, spacing and bad points "
-          "itself",
-          path, all[i].name);
-  return ASP_OK;
-}
 
 /* Checks the numbers of a header, in ASCII where type is -1. */
 static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_error *error) {
@@ -265,9 +244,7 @@ static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_erro
 asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
                        aspi_raw *raw, asp_error *error) {
   sdf h;
-  asp_code code = check_options(text->path, options, error);
-  if (!code)
-    code = binary ? read_binary_header(text, &h, error) : read_text_header(text, &h, error);
+  asp_code code = binary ? read_binary_header(text, &h, error) : read_text_header(text, &h, error);
   if (!code)
     code = check(text, &h, raw->is_map, error);
   if (code)

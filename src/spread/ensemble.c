@@ -20,7 +20,7 @@ _Static_assert(sizeof slope / sizeof *slope ==
 /* Larger a are normal impact. */
 #define A_MOST 1e6
 
-/* The quantiles of one view: those of the nodes around it in a, kappa and phi_r, weighted. */
+/* Quantiles of one view: a weighted mean over the nodes around it in a, kappa and phi_r. */
 typedef struct variate {
   int corners; /* 4 where phi_r is that of a node, else 8 */
   const float *corner[8];

@@ -18,7 +18,7 @@
 /* A flight that has passed this many blocks is lost; a sinking flight passes far fewer. */
 enum { BLOCKS_MOST = 100000 };
 
-/* The gradient of a contact differs from that of the surface between the points, so a face may send
+/* Contact gradients differ from the gradient of the surface between the points, so a face may send
  * a particle slightly into its neighbor. After 2 cells below the surface it counts as a hit. */
 enum { UNDER_MOST = 2 };
 
@@ -111,7 +111,7 @@ static inline float *top_of(const aspi_field *f, int level, ptrdiff_t i, ptrdiff
   return of->most + ((j >> 2) * of->across + (i >> 2)) * f->tile + 4 * (j & 3) + (i & 3);
 }
 
-/* Fills in the maxima over blocks from those of the cells. */
+/* Computes the maxima over blocks from the maxima of the cells. */
 static void fill_tops(aspi_field *f) {
   for (int k = 0; k < f->levels; k++)
     for (ptrdiff_t n = 0; n < f->level[k].tiles; n++) {
@@ -275,8 +275,8 @@ static bool approaches(const double way[3], const double gradient[2]) {
   return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
 }
 
-/* The gradient at a place of a cell: that of the contacts at its corners, interpolated, if the
- * particle approaches it; else that of the surface. */
+/* The gradient at a place of a cell: interpolated between the contacts at its corners if the
+ * particle approaches that face; else the gradient of the surface. */
 static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
                         double gradient[2]) {
   if (f->axes == 1) {

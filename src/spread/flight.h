@@ -6,7 +6,7 @@
 
 #include "asperity_internal.h"
 
-/* Maxima over blocks of cells, which tell what is high without a look at each: level k has one for
+/* Maxima over blocks of cells, so that a flight need not look at each cell: level k has one for
  * each block of 4^k x 4^k cells. Those of a tile of 4 x 4 blocks stand together. */
 typedef struct aspi_tops {
   ptrdiff_t across, tiles; /* number of tiles along x, and of all */
@@ -32,7 +32,7 @@ typedef struct aspi_field {
   double fall_least; /* least slope of a beam that meets many peaks */
 } aspi_field;
 
-/* False: the gradient at a hit is that of the heights. */
+/* False: the gradient at a hit comes from the heights. */
 static inline bool aspi_field_has_gradients(const aspi_field *field) {
   return field->stride > 1;
 }

@@ -32,7 +32,7 @@ typedef struct aspi_path {
   bool begun;
   bool back;      /* flies toward smaller x of a profile */
   double turn;    /* from the flight before to this one, from t toward b */
-  int field;      /* index among those of the model */
+  int field;      /* index of a field of the model */
   double azimuth; /* over a map, from x toward y */
   aspi_spot spot;
   double q; /* over a map: slope of the last face across the flight */

@@ -46,7 +46,7 @@ static void release(void *data) {
 static aspi_grid grid_of(const asp_heights *map, const asp_surface *surface) {
   const size_t side[2] = {map->columns, map->rows};
   aspi_grid g = {.stride = 1};
-  if (map->rows == 1) /* a profile, all of which is flown over */
+  if (map->rows == 1) /* a profile is used as a whole */
     return g;
   double step = aspi_heights_extent(map).spacing, lambda = asp_surface_lambda_c(surface);
   while (side[0] / g.stride * (side[1] / g.stride) > MAP_POINTS &&

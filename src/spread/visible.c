@@ -33,7 +33,7 @@ typedef struct variate {
   double a;
   double z;       /* the norm; over phi(a) where a < 0 */
   double density; /* phi(a), where a > 0 */
-  double shadow;  /* Phi(-a), alike */
+  double shadow;  /* Phi(-a), too */
 } variate;
 
 /* 1 - t M(t) for t > 0, M = Q/phi: the norm for a = -t over phi(t), about 1/t^2 for large t. There

@@ -23,7 +23,7 @@ enum { STEPS = 4 };
 /* The refined point stays within this many steps of the sampled one. */
 #define STRAY_MOST 1.5
 
-/* Maxima over blocks of points, to find what is high without a look at each: level k has one for
+/* Maxima over blocks of points, so that a search need not look at each point: level k has one for
  * each block of 2^k x 2^k points, row after row; level 0 is the points themselves. */
 enum { LEVELS_MOST = 32 };
 typedef struct level {

@@ -29,7 +29,7 @@ void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *heig
  * within a periodic map's first period. */
 typedef struct aspi_ball_search {
   const aspi_ball *ball;
-  ptrdiff_t from[2]; /* from the last center to what it rested on */
+  ptrdiff_t from[2]; /* from the last center to its contact point */
 } aspi_ball_search;
 
 aspi_ball_search aspi_ball_begin(const aspi_ball *ball);

@@ -19,7 +19,6 @@
 
 #define LENGTH_LEAST 20.0 /* correlation lengths */
 #define SPACING_MOST 0.25 /* correlation lengths */
-#define PHI_R_MOST 100.0
 #define HEIGHT_MOST 1e100 /* spacings; squares of it do not overflow */
 
 asp_heights *aspi_heights_adopt(double *z, size_t columns, size_t rows, const double step[2],
@@ -58,32 +57,17 @@ static void fill_noise(double *noise, size_t points, uint32_t seed) {
     noise[2 * i] = aspi_stream_normal(&stream);
 }
 
-static asp_code check_generated(double r_q, double lambda_c, double spacing, size_t points,
-                                asp_error *error) {
-  if (aspi_check_length(error, "r_q", r_q) || aspi_check_length(error, "lambda_c", lambda_c) ||
-      aspi_check_length(error, "spacing", spacing))
-    return ASP_EARG;
-  if (r_q > PHI_R_MOST * lambda_c)
-    return aspi_fail(error, ASP_EARG, "r_q is %g; it must be at most %g lambda_c", r_q, PHI_R_MOST);
-  if (spacing > SPACING_MOST * lambda_c)
-    return aspi_fail(error, ASP_EARG, "spacing is %g; it must be at most lambda_c/4 = %g", spacing,
-                     SPACING_MOST * lambda_c);
-  if (!((double)points * spacing >= LENGTH_LEAST * lambda_c))
-    return aspi_fail(error, ASP_EARG,
-                     "a profile of %zu points is %g long; it must be at least 20 lambda_c = %g",
-                     points, (double)points * spacing, LENGTH_LEAST * lambda_c);
-  double most = (double)(ASP_POINTS_MOST / 2) - 2 * (KERNEL_REACH * lambda_c / spacing + 1);
-  if ((double)points > most)
-    return aspi_fail(error, ASP_EARG, "a profile of %zu points; they must be at most %.0f", points,
-                     most);
-  return ASP_OK;
-}
-
 asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
                                    uint32_t seed, asp_error *error) {
-  if (check_generated(r_q, lambda_c, spacing, points, error))
+  double step = spacing / lambda_c, most = ASP_POINTS_MOST / 2. - 2 * (KERNEL_REACH / step + 1);
+  if (step > SPACING_MOST || !((double)points * step >= LENGTH_LEAST) || (double)points > most) {
+    aspi_fail(
+        error, ASP_EARG,
+        "a profile of %zu points, lambda_c/%.3g apart; they must be lambda_c/4 apart or less, "
+        "and over %g lambda_c, but no more than %.0f",
+        points, 1 / step, LENGTH_LEAST, most);
     return NULL;
-  double step = spacing / lambda_c;
+  }
   size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(points + 2 * reach);
   double *data = calloc(2 * n, sizeof *data), *heights = aspi_allocate(points);
   if (data && heights) {

@@ -14,7 +14,7 @@ struct asp_heights {
   double *z;
 };
 
-/* Points of a side, of which a profile has one only, and of all. GSL's FFT by powers of two shifts
+/* Least points of a side (a profile has one row), and most points in all: GSL's radix-2 FFT shifts
  * an int. */
 enum { ASP_SIDE_LEAST = 3 };
 #define ASP_POINTS_MOST ((size_t)1 << 30)
@@ -42,19 +42,19 @@ asp_heights *aspi_profile_adopt(double *z, size_t points, double spacing, bool p
 
 /* A Gaussian profile (Garcia & Stoll 1984, secondary source): white noise filtered so that the
  * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. Of any number of points, but at least 20
- * lambda_c long and at most lambda_c/4 apart. r_q and lambda_c are those of the ensemble: a sample
- * has them within its sampling error. The same seed gives the same profile. */
+ * lambda_c long and at most lambda_c/4 apart. The ensemble has r_q and lambda_c, a sample within
+ * its sampling error. The same seed gives the same profile. */
 asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
                                    uint32_t seed, asp_error *error);
 
-/* The same with its heights scaled so that the mean square of the differences between neighbors is
- * that of the ensemble, times `sign`, 1 or -1: the negative of a realization is another one. With
- * flights in both directions, these take most of the sampling error of a short profile out of the
- * law of the first hit. */
+/* The same, scaled so that the mean square difference between neighbors equals the ensemble's,
+ * times `sign`, 1 or -1: the negative of a realization is another one. With flights in both
+ * directions, these take most of the sampling error of a short profile out of the law of the first
+ * hit. */
 asp_heights *aspi_profile_generate_scaled(double r_q, double lambda_c, double spacing,
                                           size_t points, uint32_t seed, int sign, asp_error *error);
 
-/* The wall as particles see it that fly the other way along x. */
+/* The wall for particles that fly the other way along x. */
 asp_heights *aspi_profile_mirrored(const asp_heights *profile, asp_error *error);
 
 /* The least power of two that is at least that. */

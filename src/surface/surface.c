@@ -238,10 +238,6 @@ double asp_surface_bin_d_p(const asp_surface *surface, int bin) {
   return exp2(surface->log_first + bin * step);
 }
 
-double asp_surface_bin_slope(const asp_surface *surface, int bin) {
-  return surface->value[bin];
-}
-
 double asp_surface_uncertainty(const asp_surface *surface) {
   return surface->uncertainty;
 }

@@ -82,14 +82,10 @@ static void description_of_a_wave(void **state) {
 static void bad_profiles_are_refused(void **state) {
   (void)state;
   asp_error e;
-  assert_null(aspi_profile_generate(0, 1, 0.1, 1000, 1, &e));
-  assert_non_null(strstr(e.text, "r_q"));
-  assert_null(aspi_profile_generate(1, NAN, 0.1, 1000, 1, &e));
-  assert_non_null(strstr(e.text, "lambda_c"));
   assert_null(aspi_profile_generate(1, 1, 0.3, 1000, 1, &e));
   assert_non_null(strstr(e.text, "lambda_c/4"));
   assert_null(aspi_profile_generate(1, 1, 0.1, 199, 1, &e));
-  assert_non_null(strstr(e.text, "20 lambda_c"));
+  assert_non_null(strstr(e.text, "over 20 lambda_c"));
   double z[4] = {1, 2, INFINITY, 1};
   assert_null(asp_heights_create(z, 4, 1, 1, 1, false, &e));
   assert_non_null(strstr(e.text, "height 2"));

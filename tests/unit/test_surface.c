@@ -209,7 +209,7 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
     double d_p = asp_surface_bin_d_p(s, i);
     aspi_profile_describe_slopes(p, fmin(d_p, 20), &slopes, NULL);
     assert_near(asp_surface_slope(s, d_p), slopes.slope_rms, 1e-9);
-    assert_near(asp_surface_bin_slope(s, i), slopes.slope_rms, 1e-9);
+    assert_near(asp_surface_slope(s, asp_surface_bin_d_p(s, i)), slopes.slope_rms, 1e-9);
   }
   double previous = asp_surface_slope(s, 0);
   for (double d_p = 0.01; d_p < 30; d_p *= 1.01) {
@@ -217,8 +217,9 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
     assert_true(slope <= previous + 1e-5); /* what sampled slopes differ by */
     previous = slope;
   }
-  assert_near(asp_surface_slope(s, 1e-3), asp_surface_bin_slope(s, 0), 1e-12);
-  assert_near(asp_surface_slope(s, 1e3), asp_surface_bin_slope(s, BINS - 1), 1e-12);
+  assert_near(asp_surface_slope(s, 1e-3), asp_surface_slope(s, asp_surface_bin_d_p(s, 0)), 1e-12);
+  assert_near(asp_surface_slope(s, 1e3), asp_surface_slope(s, asp_surface_bin_d_p(s, BINS - 1)),
+              1e-12);
   asp_heights_numbers d;
   asp_heights_describe(p, &d, NULL);
   assert_near(asp_surface_r_q(s), d.s_q, 0);
