@@ -24,16 +24,16 @@
 /* ---- what is looked for ---- */
 
 /* The value of the materials; NAN: there is none. */
-static double standard_of(const aspi_calibration *c, const char *name) {
-  asp_pair *pair = c->particle ? asp_pair_create(c->particle, c->target, NULL) : NULL;
+static double standard_of(const cli_description *wall, const char *name) {
+  asp_pair *pair = wall->particle ? asp_pair_create(wall->particle, wall->target, NULL) : NULL;
   double value = pair ? asp_pair_get(pair, name) : NAN;
   asp_pair_free(pair);
   return value;
 }
 
 /* Properties of a number of the description; a law's own numbers go before all others. */
-static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
-  const asp_rebound_law *law = asp_description_rebound(c->words);
+static aspi_unknown unknown_of(const cli_description *wall, const char *name) {
+  const asp_rebound_law *law = asp_description_rebound(wall->words);
   int index = aspi_rebound_parameter_find(law, name);
   const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
   const aspi_keyword *k = aspi_keywords;
@@ -46,7 +46,7 @@ static aspi_unknown unknown_of(const aspi_calibration *c, const char *name) {
                     .least = p ? p->least : k->least,
                     .most = p ? p->most : k->most};
   u.bounded = p && u.most - u.least <= 10;
-  u.standard = p ? p->fallback : *k->within ? k->fallback : standard_of(c, name);
+  u.standard = p ? p->fallback : *k->within ? k->fallback : standard_of(wall, name);
   char units[120];
   aspi_quantity_units(p ? p->unit : k->unit, units, sizeof units);
   snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);
@@ -66,11 +66,11 @@ static double start_of(const aspi_calibration *c, const aspi_unknown *u) {
   return start;
 }
 
-static void read_unknowns(aspi_calibration *c) {
+static void read_unknowns(aspi_calibration *c, const cli_description *wall) {
   const asp_description *words = c->words;
   for (int i = 0; i < words->n_fits; i++) {
     aspi_unknown *u = &c->unknown[c->n_unknown++];
-    *u = unknown_of(c, words->fits[i]);
+    *u = unknown_of(wall, words->fits[i]);
     if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_description_rebound(c->words)))
       cli_bad_usage("'%s' has no effect on impacts with rebound %s", u->name,
                     asp_rebound_name(asp_description_rebound(c->words)));
@@ -252,15 +252,6 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
 
 /* ---- the command ---- */
 
-static void take_wall(aspi_calibration *c, const cli_description *wall) {
-  c->words = wall->words;
-  c->wall = wall->wall;
-  c->pair = wall->pair;
-  c->particle = wall->particle;
-  c->target = wall->target;
-  c->density = wall->density;
-}
-
 /* Makes the wall, for the data's diameters. */
 static void make_wall(aspi_calibration *c, cli_description *wall, double vector[3]) {
   double least = INFINITY, most = 0;
@@ -271,7 +262,7 @@ static void make_wall(aspi_calibration *c, cli_description *wall, double vector[
   }
   cli_description_make(wall, least, most);
   c->lay = cli_description_lay(wall, vector);
-  take_wall(c, wall);
+  c->wall = wall->wall;
 }
 
 static void read_noise(aspi_calibration *c, const cli_option *option) {
@@ -284,8 +275,9 @@ static void read_noise(aspi_calibration *c, const cli_option *option) {
 
 static void read_wall(aspi_calibration *c, const cli_call *call,
                       const cli_description *description) {
-  take_wall(c, description);
-  const asp_description *words = c->words;
+  asp_description *words = c->words = description->words;
+  c->pair = description->pair;
+  c->density = description->density;
   c->smooth = strcmp(asp_description_word(words, "surface"), "smooth") == 0;
   c->sticks =
       asp_rebound_needs_pair(asp_description_rebound(words)) && words->deposit != ASPI_DEPOSIT_OFF;
@@ -293,43 +285,27 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
   c->d_p = cli_length(cli_get(call, "dp"));
   c->speed = cli_quantity(cli_get(call, "speed"), "speed", 1e-9, 1e6);
   read_noise(c, cli_get(call, "noise"));
-  read_unknowns(c);
+  read_unknowns(c, description);
 }
 
-/* ---- the table of the picture: means and standard deviations of both coefficients, measured and
- * fitted, in columns of `asperity compare` ---- */
-
-/* One coefficient of one bin; the mean is NAN if there is none. */
-typedef struct point {
-  double degrees, mean, sd;
-} point;
-
-static point measured_in(const aspi_calibration *c, size_t b, int k) {
-  double alpha = aspi_radians(c->bins[b].degrees), by = k == COR_N ? sin(alpha) : cos(alpha);
-  const aspi_calibration_bin *bin = &c->bins[b];
-  const double *of = bin->moments.of;
-  bool used = bin->used[MOMENT_X + k];
-  return (point){bin->degrees, used ? of[MOMENT_X + k] / by : NAN,
-                 used ? sqrt(of[MOMENT_XX + k]) / by : NAN};
-}
-
-static point fitted_in(const aspi_calibration *c, size_t b, int k) {
-  double mean[COR_BOTH], sd[COR_BOTH];
-  if (!aspi_calibration_coefficients(c, b, mean, sd))
-    cli_fail("out of memory for %zu impacts", c->samples);
-  return (point){c->bins[b].degrees, mean[k], sd[k]};
-}
-
+/* The table of the picture: means and standard deviations of both coefficients, measured and
+ * fitted, in columns of `asperity compare`. */
 static void plot(const cli_call *call, const aspi_calibration *c) {
   FILE *out = cli_plot_open(call);
   fputs("quantity,alpha1_deg,alpha_from_deg,alpha_to_deg,model_mean,model_sd,data_mean,data_sd\n",
         out);
   for (int k = 0; k < COR_BOTH; k++)
     for (size_t b = 0; b < c->n_bins; b++) {
-      point m = measured_in(c, b, k), f = fitted_in(c, b, k);
-      if (isfinite(m.mean))
-        cli_row(out, "%s,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", k == COR_N ? "cor_n" : "cor_t",
-                m.degrees, m.degrees, m.degrees, f.mean, f.sd, m.mean, m.sd);
+      const aspi_calibration_bin *bin = &c->bins[b];
+      double degrees = bin->degrees, mean[COR_BOTH], sd[COR_BOTH];
+      double by = k == COR_N ? sin(aspi_radians(degrees)) : cos(aspi_radians(degrees));
+      if (!bin->used[MOMENT_X + k])
+        continue;
+      if (!aspi_calibration_coefficients(c, b, mean, sd))
+        cli_fail("out of memory for %zu impacts", c->samples);
+      cli_row(out, "%s,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", k == COR_N ? "cor_n" : "cor_t",
+              degrees, degrees, degrees, mean[k], sd[k], bin->moments.of[MOMENT_X + k] / by,
+              sqrt(bin->moments.of[MOMENT_XX + k]) / by);
     }
   cli_plot_close(call, out, "compare");
 }

@@ -194,21 +194,12 @@ static void draw_angle(const scene *s, double angle, size_t count, size_t tag, r
   }
 }
 
-/* Draws equally many impacts at each angle, or by flux: particles that fly in all of these
- * directions alike hit in proportion to sin alpha1. */
-static void draw(const scene *s, const cli_list *angles, size_t samples, bool by_flux, sink *to) {
+static void draw(const scene *s, const cli_list *angles, size_t samples, sink *to) {
   to->progress = cli_progress_begin("impacts", (double)(samples * angles->count));
   row *rows = cli_allocate(BLOCK, sizeof *rows);
-  double sines = 0;
   for (size_t a = 0; a < angles->count; a++)
-    sines += sin(aspi_radians(angles->values[a]));
-  for (size_t a = 0, tag = 0; a < angles->count; a++) {
-    double share = sin(aspi_radians(angles->values[a])) / sines * (double)angles->count;
-    size_t count = by_flux ? (size_t)fmax(1, round((double)samples * share)) : samples;
-    draw_angle(s, angles->values[a], count, tag, rows, to,
+    draw_angle(s, angles->values[a], samples, a * samples, rows, to,
                to->sums ? to->sums + a * count_groups(s) : NULL);
-    tag += count;
-  }
   free(rows);
   cli_progress_end(&to->progress);
 }
@@ -272,7 +263,7 @@ static void run(cli_call *call) {
     to.sums = cli_allocate(angles.count * count_groups(&s), sizeof *to.sums);
   else
     print_header(out, as_ledger);
-  draw(&s, &angles, samples, cli_value(call, "flux"), &to);
+  draw(&s, &angles, samples, &to);
   if (summary)
     print_summary(out, &s, &angles, to.sums, asp_description_is_given(s.wall.words, "erosion"));
   cli_table_close(call, out, capture ? "capture" : summary ? "summary" : "cor");
@@ -283,7 +274,6 @@ static const cli_option options[] = {
     {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median [100]", NULL},
     {"angles", "DEGREES", "impact angles: a list [1:90:1]", NULL},
     {"samples", "N", "impacts per angle", "100"},
-    {"flux", NULL, "impacts in proportion to sin alpha1, on average --samples per angle", NULL},
     {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
      NULL},
     {"capture", NULL, "the share that sticks, over diameter and speed at one angle", NULL},
