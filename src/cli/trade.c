@@ -28,20 +28,19 @@ typedef struct judged {
 static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
                        const asp_wall *model, double angle, size_t i) {
   size_t groups = subject->groups;
-  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle), sum = {0};
+  aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle);
   if (!angles)
     cli_fail("out of memory for %zu groups of rebounds", groups);
-  for (size_t g = 0; g < groups; g++)
-    aspi_angles_merge(&sum, &angles[g]);
   aspi_estimate kl =
       aspi_judge_divergence(judge, i, angles, groups, offsetof(aspi_angles, rebound));
-  aspi_estimate mean =
-      aspi_angles_mean(aspi_judge_groups(judge, i), offsetof(aspi_angles, rebound_sum));
+  size_t sum = offsetof(aspi_angles, rebound_sum);
+  double mean = aspi_angles_mean((aspi_angle_groups){angles, groups, 1}, sum).value,
+         reference = aspi_angles_mean(aspi_judge_groups(judge, i), sum).value;
   free(angles);
   return (judged){.angle = angle,
                   .cost = aspi_judge_cost(model, subject->d_p, angle),
                   .first_hit = aspi_judge_first_hit(&judge->first[i], model, subject->d_p, angle),
-                  .rebound = {kl.value, kl.se, sum.rebound_sum / sum.n, mean.value}};
+                  .rebound = {kl.value, kl.se, mean, reference}};
 }
 
 /* The models that are judged; those of Gaussian walls only are not, on a measured one. */
