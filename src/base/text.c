@@ -22,21 +22,43 @@ static FILE *refuse(const char *path, int reason, asp_error *error) {
   return NULL;
 }
 
-/* All that comes out of a pipe, in a temporary file. */
-static FILE *copy_of(FILE *pipe, const char *path, asp_error *error) {
+/* Byte order of UTF-16. */
+typedef enum order { BYTES, LITTLE, BIG } order;
+
+/* Writes the next character of UTF-16 as UTF-8, half of a surrogate pair as a question mark; false
+ * at the end. */
+static bool copy_character(FILE *from, FILE *to, order of) {
+  int first = getc_unlocked(from), second = getc_unlocked(from);
+  int unit = of == LITTLE ? first | second << 8 : first << 8 | second;
+  if (second == EOF)
+    return false;
+  if (unit >= 0xD800 && unit < 0xE000)
+    unit = '?';
+  if (unit >= 0x800)
+    putc(0xE0 | unit >> 12, to);
+  if (unit >= 0x80)
+    putc(unit < 0x800 ? 0xC0 | unit >> 6 : 0x80 | (unit >> 6 & 0x3F), to);
+  putc(unit < 0x80 ? unit : 0x80 | (unit & 0x3F), to);
+  return true;
+}
+
+/* What is in a pipe, or in UTF-16, as bytes in a temporary file. */
+static FILE *copy_of(FILE *from, const char *path, order of, asp_error *error) {
   FILE *copy = tmpfile();
   char block[4096];
   size_t size;
-  while (copy && (size = fread(block, 1, sizeof block, pipe)) > 0)
+  while (copy && of == BYTES && (size = fread(block, 1, sizeof block, from)) > 0)
     if (fwrite(block, 1, size, copy) != size)
       break;
-  if (!copy || ferror(pipe) || ferror(copy) || fseek(copy, 0, SEEK_SET) != 0) {
+  while (copy && of != BYTES && copy_character(from, copy, of))
+    ;
+  if (!copy || ferror(from) || ferror(copy) || fseek(copy, 0, SEEK_SET) != 0) {
     refuse(path, errno, error);
     if (copy)
       fclose(copy);
     copy = NULL;
   }
-  fclose(pipe);
+  fclose(from);
   return copy;
 }
 
@@ -46,25 +68,41 @@ FILE *aspi_file_open(const char *path, asp_error *error) {
   int reason = !stream || fstat(fileno(stream), &found) != 0 ? errno
                : S_ISDIR(found.st_mode)                      ? EISDIR
                                                              : 0;
-  if (!reason)
-    return S_ISREG(found.st_mode) ? stream : copy_of(stream, path, error);
-  if (stream)
+  if (reason && stream)
     fclose(stream);
-  return refuse(path, reason, error);
+  if (reason)
+    return refuse(path, reason, error);
+  stream = S_ISREG(found.st_mode) ? stream : copy_of(stream, path, BYTES, error);
+  if (!stream)
+    return NULL;
+  char mark[2] = "";
+  size_t size = fread(mark, 1, 2, stream);
+  order of = size == 2 && memcmp(mark, "\xFF\xFE", 2) == 0   ? LITTLE
+             : size == 2 && memcmp(mark, "\xFE\xFF", 2) == 0 ? BIG
+                                                             : BYTES;
+  rewind(stream);
+  return of == BYTES ? stream : copy_of(stream, path, of, error);
+}
+
+/* The byte-order mark of UTF-8, which is no text. */
+static void skip_mark(FILE *stream) {
+  char mark[3];
+  if (fread(mark, 1, 3, stream) != 3 || memcmp(mark, "\xEF\xBB\xBF", 3) != 0)
+    rewind(stream);
 }
 
 aspi_text aspi_text_create(FILE *stream, const char *path) {
-  return (aspi_text){.stream = stream, .path = path, .line = 0, .next = 1, .utf16 = -1};
+  skip_mark(stream);
+  return (aspi_text){.stream = stream, .path = path, .line = 0, .next = 1};
 }
 
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
   if (fseek(text->stream, 0, SEEK_SET) != 0)
     return aspi_fail(error, ASP_EFILE, "%s: cannot be read twice, as its unequal spacing needs: %s",
                      text->path, strerror(errno));
+  skip_mark(text->stream);
   text->line = 0;
   text->next = 1;
-  text->utf16 = -1;
-  text->pending_count = 0;
   return ASP_OK;
 }
 
@@ -78,66 +116,12 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }
 
-/* Byte-order marks: FF FE and FE FF mark UTF-16, EF BB BF marks UTF-8. Other first bytes are
- * text. */
-static void look_at_mark(aspi_text *text) {
-  static const unsigned char marks[3][3] = {{0xEF, 0xBB, 0xBF}, {0xFF, 0xFE}, {0xFE, 0xFF}};
-  text->utf16 = 0;
-  int c = getc_unlocked(text->stream), kind = 0;
-  while (kind < 3 && c != marks[kind][0])
-    kind++;
-  int length = kind == 3 ? 0 : kind == 0 ? 3 : 2, met = 0;
-  while (met < length && c == marks[kind][met] && ++met < length)
-    c = getc_unlocked(text->stream);
-  if (met > 0 && met == length) {
-    text->utf16 = kind;
-    return;
-  }
-  if (c != EOF)
-    ungetc(c, text->stream);
-  while (met > 0)
-    text->pending[text->pending_count++] = (char)marks[kind][--met];
-}
-
-/* Converts UTF-16 and returns the next byte as UTF-8; half of a surrogate pair becomes a question
- * mark. */
-static int next_of_utf16(aspi_text *text) {
-  int first = getc_unlocked(text->stream), second = getc_unlocked(text->stream);
-  if (first == EOF || second == EOF)
-    return EOF;
-  int unit = text->utf16 == 1 ? first + 256 * second : 256 * first + second;
-  if (unit < 0x80)
-    return unit;
-  if (unit >= 0xD800 && unit < 0xE000)
-    return '?';
-  text->pending[text->pending_count++] = (char)(0x80 | (unit & 0x3F));
-  if (unit < 0x800)
-    return 0xC0 | unit >> 6;
-  text->pending[text->pending_count++] = (char)(0x80 | (unit >> 6 & 0x3F));
-  return 0xE0 | unit >> 12;
-}
-
-static int next_byte(aspi_text *text) {
-  if (text->utf16 < 0)
-    look_at_mark(text);
-  if (text->pending_count > 0)
-    return (unsigned char)text->pending[--text->pending_count];
-  return text->utf16 > 0 ? next_of_utf16(text) : getc_unlocked(text->stream);
-}
-
-static void put_back(aspi_text *text, int byte) {
-  if (text->utf16 > 0)
-    text->pending[text->pending_count++] = (char)byte;
-  else
-    ungetc(byte, text->stream);
-}
-
 int aspi_text_character(aspi_text *text) {
-  int c = next_byte(text);
+  int c = getc_unlocked(text->stream);
   if (c == '\r') {
-    int after = next_byte(text);
+    int after = getc_unlocked(text->stream);
     if (after != '\n' && after != EOF)
-      put_back(text, after);
+      ungetc(after, text->stream);
     c = '\n';
   }
   if (c == '\n')

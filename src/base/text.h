@@ -10,18 +10,16 @@
 
 enum { ASP_TEXT_MOST = 4096 };
 
-/* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds is
- * copied to a temporary file first. `-` is standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
+/* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds, or
+ * UTF-16 with a byte-order mark, which becomes UTF-8, is copied to a temporary file first. `-` is
+ * standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
 FILE *aspi_file_open(const char *path, asp_error *error);
 
 typedef struct aspi_text {
   FILE *stream;
-  const char *path; /* for messages */
-  size_t line;      /* of the line or word in `text`, from 1 */
-  size_t next;      /* of the next character */
-  int utf16;        /* 1: little-endian, 2: big-endian, 0: bytes; -1: not looked at yet */
-  char pending[4];  /* pushed-back bytes, in reverse order */
-  int pending_count;
+  const char *path;         /* for messages */
+  size_t line;              /* of the line or word in `text`, from 1 */
+  size_t next;              /* of the next character */
   char text[ASP_TEXT_MOST]; /* without its end */
 } aspi_text;
 
@@ -33,9 +31,9 @@ asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 /* The next character, or EOF; every end of a line is LF. */
 int aspi_text_character(aspi_text *text);
 
-/* Reads the next line (its end is LF, CR LF or CR; UTF-16 with a byte order mark becomes UTF-8,
- * whose own mark is left out) or word (between white space). *found is false at the end of the
- * file. ASP_EDATA for a NUL byte, a line of 4096 characters or more, or a word of 64 or more. */
+/* Reads the next line (its end is LF, CR LF or CR; the byte-order mark of UTF-8 is left out) or
+ * word (between white space). *found is false at the end of the file. ASP_EDATA for a NUL byte, a
+ * line of 4096 characters or more, or a word of 64 or more. */
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
 asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 
