@@ -86,12 +86,9 @@ static void bad_profiles_are_refused(void **state) {
   assert_non_null(strstr(e.text, "lambda_c/4"));
   assert_null(aspi_profile_generate(1, 1, 0.1, 199, 1, &e));
   assert_non_null(strstr(e.text, "over 20 lambda_c"));
-  double z[4] = {1, 2, INFINITY, 1};
-  assert_null(asp_heights_create(z, 4, 1, 1, 1, false, &e));
-  assert_non_null(strstr(e.text, "height 2"));
+  double z[4] = {1, 1, 1, 1};
   assert_null(asp_heights_create(z, 2, 1, 1, 1, false, &e));
   assert_null(asp_heights_create(z, 4, 1, -1, -1, false, &e));
-  z[2] = z[1] = z[0] = z[3];
   asp_heights *flat = asp_heights_create(z, 4, 1, 1, 1, false, &e);
   asp_heights_numbers d;
   assert_int_equal(asp_heights_describe(flat, &d, &e), ASP_EDATA);
@@ -295,7 +292,7 @@ static void lines_in_x_and_y(void **state) {
   asp_heights_free(p);
 }
 
-/* Of text with more columns than anybody has names for, and of a wide map. */
+/* Of text with more columns than anybody has names for. */
 static void columns_far_to_the_right(void **state) {
   (void)state;
   char text[2000] = "", *end = text;
@@ -312,24 +309,6 @@ static void columns_far_to_the_right(void **state) {
   o.column = 0;
   o.z_column = "81";
   expect(text, &o, 4, 1e-6, 4e-6);
-  o = aspi_profile_options_default();
-  o.form = -1;
-  o.column = 81;
-  char map[2000] = "aISO-1.0\nNumPoints = 100\nNumProfiles = 4\nXscale = 1e-6\nYscale = 2e-6\n"
-                   "Zscale = 1e-6\n*\n";
-  strcat(map, text);
-  expect(map, &o, 4, 2e-6, 4e-6);
-}
-
-/* Formats that are no text are named. */
-static void formats_are_named(void **state) {
-  (void)state;
-  static const char binary[] = "bISO-1.0\0\1\2\3\4", zip[] = "PK\3\4\24\0\0\0";
-  assert_null(read_bytes(binary, sizeof binary, NULL));
-  assert_non_null(strstr(error.text, "SDF in binary, which is read as a map"));
-  assert_null(read_bytes(zip, sizeof zip, NULL));
-  assert_non_null(strstr(error.text, "a zip (X3P"));
-  assert_non_null(strstr(error.text, "Gwyddion"));
 }
 
 /* Columns by their header: counters and times are no positions, whatever their place. */
@@ -730,7 +709,6 @@ int main(void) {
       cmocka_unit_test(the_mark_of_utf8_is_no_data),
       cmocka_unit_test(lines_in_x_and_y),
       cmocka_unit_test(columns_far_to_the_right),
-      cmocka_unit_test(formats_are_named),
       cmocka_unit_test(files_of_all_kinds),
       cmocka_unit_test(depths_become_heights),
       cmocka_unit_test(suspicious_numbers_are_refused),
