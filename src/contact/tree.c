@@ -132,29 +132,6 @@ static size_t build(ContactTree *tree, const ContactTriangle *triangles, Item *i
   return at;
 }
 
-/* A number and the place of its triangle. */
-typedef struct Numbered {
-  int id, place;
-} Numbered;
-
-static int by_number(const void *a, const void *b) {
-  const Numbered *of_a = a, *of_b = b;
-  return (of_a->id > of_b->id) - (of_a->id < of_b->id);
-}
-
-static bool number(ContactTree *tree) {
-  Numbered *order = malloc((tree->count + 1) * sizeof *order);
-  if (!order)
-    return false;
-  for (size_t i = 0; i < tree->count; i++)
-    order[i] = (Numbered){tree->id[i], (int)i};
-  qsort(order, tree->count, sizeof *order, by_number);
-  for (size_t i = 0; i < tree->count; i++)
-    tree->by_id[i] = order[i].place;
-  free(order);
-  return true;
-}
-
 ContactTree *aspi_tree_begin(void) {
   return calloc(1, sizeof(ContactTree));
 }
@@ -223,8 +200,15 @@ bool aspi_tree_finish(ContactTree *tree) {
   put_in_order(tree, items);
   free(items);
   tree->nodes = shrink(tree->nodes, (tree->n_nodes + 1) * sizeof *tree->nodes);
-  tree->by_id = malloc((count + 1) * sizeof *tree->by_id);
-  return tree->by_id && number(tree);
+  for (size_t i = 0; i < count; i++)
+    if (tree->id[i] >= (int64_t)tree->n_ids)
+      tree->n_ids = (size_t)tree->id[i] + 1;
+  tree->by_id = malloc((tree->n_ids + 1) * sizeof *tree->by_id);
+  for (size_t id = 0; tree->by_id && id < tree->n_ids; id++)
+    tree->by_id[id] = -1;
+  for (size_t i = 0; tree->by_id && i < count; i++)
+    tree->by_id[tree->id[i]] = (int)i;
+  return tree->by_id;
 }
 
 ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
@@ -256,12 +240,12 @@ size_t aspi_tree_count(const ContactTree *tree) {
 
 /* The head of a block; the lists follow, those that need the widest alignment first. */
 typedef struct Head {
-  size_t count, n_nodes;
+  size_t count, n_nodes, n_ids;
 } Head;
 
 size_t aspi_tree_bytes(const ContactTree *tree) {
-  return sizeof(Head) + tree->count * (sizeof(ContactTriangle) + 2 * sizeof(int)) +
-         tree->n_nodes * sizeof(ContactNode);
+  return sizeof(Head) + tree->count * (sizeof(ContactTriangle) + sizeof(int)) +
+         tree->n_nodes * sizeof(ContactNode) + tree->n_ids * sizeof(int);
 }
 
 static char *put(char *to, const void *list, size_t bytes) {
@@ -270,12 +254,12 @@ static char *put(char *to, const void *list, size_t bytes) {
 }
 
 void aspi_tree_pack(const ContactTree *tree, void *block) {
-  const Head head = {tree->count, tree->n_nodes};
+  const Head head = {tree->count, tree->n_nodes, tree->n_ids};
   char *to = put(block, &head, sizeof head);
   to = put(to, tree->triangles, tree->count * sizeof *tree->triangles);
   to = put(to, tree->nodes, tree->n_nodes * sizeof *tree->nodes);
   to = put(to, tree->id, tree->count * sizeof *tree->id);
-  put(to, tree->by_id, tree->count * sizeof *tree->by_id);
+  put(to, tree->by_id, tree->n_ids * sizeof *tree->by_id);
 }
 
 ContactTree *aspi_tree_over(void *block) {
@@ -285,6 +269,7 @@ ContactTree *aspi_tree_over(void *block) {
   const Head *head = block;
   tree->count = head->count;
   tree->n_nodes = head->n_nodes;
+  tree->n_ids = head->n_ids;
   tree->borrows = true;
   tree->triangles = (ContactTriangle *)(head + 1);
   tree->nodes = (ContactNode *)(tree->triangles + tree->count);
@@ -310,19 +295,7 @@ int aspi_tree_id(const ContactTree *tree, int place) {
 }
 
 int aspi_tree_place(const ContactTree *tree, int id) {
-  size_t lo = 0, hi = tree->count;
-  /* Mostly the numbers have no gaps. */
-  const int64_t rank = hi > 0 ? (int64_t)id - tree->id[tree->by_id[0]] : -1;
-  if (rank >= 0 && rank < (int64_t)hi && tree->id[tree->by_id[rank]] == id)
-    return tree->by_id[rank];
-  while (lo < hi) {
-    const size_t middle = lo + (hi - lo) / 2;
-    if (tree->id[tree->by_id[middle]] < id)
-      lo = middle + 1;
-    else
-      hi = middle;
-  }
-  return lo < tree->count && tree->id[tree->by_id[lo]] == id ? tree->by_id[lo] : -1;
+  return id >= 0 && (size_t)id < tree->n_ids ? tree->by_id[id] : -1;
 }
 
 /* A box, and the ball around its middle of which it is a part; see aspi_tree_meet(). */
@@ -356,10 +329,8 @@ static bool triangle_meets(const ContactTriangle *t, const Region *region) {
   return region_meets(region, lo, hi);
 }
 
-/* Appends the places of the triangles whose boxes meet the region. True when it ended early: at the
- * first one where there is no list, else when out of memory. */
-static bool meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,
-                 ContactList *list) {
+bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,
+                    ContactList *list) {
   Region region = {lo, hi, {0, 0, 0}, reach * reach};
   for (int d = 0; d < 3; d++)
     region.middle[d] = 0.5 * (lo[d] + hi[d]);
@@ -376,19 +347,10 @@ static bool meet(const ContactTree *tree, const double lo[3], const double hi[3]
       stack[top++] = at + 1;
     }
     for (int i = node->first; i < node->first + node->count; i++)
-      if (triangle_meets(&tree->triangles[i], &region) && (!list || !append(list, i)))
-        return true;
+      if (triangle_meets(&tree->triangles[i], &region) && !append(list, i))
+        return false;
   }
-  return false;
-}
-
-bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]) {
-  return meet(tree, lo, hi, INFINITY, NULL);
-}
-
-bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,
-                    ContactList *list) {
-  return !meet(tree, lo, hi, reach, list);
+  return true;
 }
 
 /* The square of the distance of x from a node's box. */

@@ -23,7 +23,8 @@ typedef struct ContactList {
 
 void aspi_places_free(ContactList *list);
 
-/* Takes a copy of the triangles and of their numbers, `id` (any, each once). NULL when out of
+/* Takes a copy of the triangles and of their numbers, `id` (from 0, each once; the
+ * largest one counts for memory). NULL when out of
  * memory; count may be 0. */
 ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
 
@@ -53,13 +54,9 @@ int aspi_tree_id(const ContactTree *tree, int place);
 /* The place of the triangle of a number, or -1. */
 int aspi_tree_place(const ContactTree *tree, int id);
 
-/* True if any of the boxes around its triangles meets the box lo to hi. */
-bool aspi_tree_meets(const ContactTree *tree, const double lo[3], const double hi[3]);
-
 /* Lower bound of the time for which a sphere of radius `reach`, growing by `widen` per time, stays
  * clear of all triangles except those in the planes of the `skipped` ones listed in `skip`, while
- * its center moves along x
- * + v t; at most `most`. */
+ * its center moves along x + v t; at most `most`. */
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double most, const int *skip, int skipped);
 

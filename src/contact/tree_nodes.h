@@ -34,9 +34,9 @@ typedef struct ContactNode {
 struct ContactTree {
   ContactTriangle *triangles;
   int *id;
-  int *by_id; /* places in order of their numbers */
+  int *by_id; /* places by their numbers; -1: there is none */
   ContactNode *nodes;
-  size_t count, n_nodes, room;
+  size_t count, n_nodes, n_ids, room;
   bool borrows; /* the lists are parts of a block that somebody else frees */
 };
 

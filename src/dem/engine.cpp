@@ -82,3 +82,11 @@ std::vector<double> asperity::gather_for_all(const std::vector<double> &mine, MP
   MPI_Bcast(all.data(), count, MPI_DOUBLE, 0, world);
   return all;
 }
+
+std::string asperity::share(std::string text, MPI_Comm world) {
+  unsigned long long length = text.size();
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, world);
+  text.resize(static_cast<size_t>(length));
+  MPI_Bcast(&text[0], static_cast<int>(length), MPI_CHAR, 0, world);
+  return text;
+}

@@ -58,14 +58,18 @@ public:
   virtual void warn(const std::string &what) const = 0;
   virtual void print(const std::string &what) const = 0;
 
-  /* The values of a constant of the script, one for each type or each pair of types, row by row;
-   * false where the script has none. */
-  virtual bool constants(const char *name, bool pairs, std::vector<double> &values) const = 0;
+  /* The values of a constant of the script by its name, one for each type or each pair of types,
+   * row by row; false where the script has none. */
+  virtual bool constants(const char *, bool, std::vector<double> &values) const {
+    values.clear();
+    return false;
+  }
 
   /* The command that states such a constant in a script, for an error message; empty if there is
    * none. */
-  virtual std::string how_to_state(const char *name, bool pairs,
-                                   const std::string &values) const = 0;
+  virtual std::string how_to_state(const char *, bool, const std::string &) const {
+    return "";
+  }
 
   /* The diameters of the particles that there are or will be, of all ranks. Both 0: none. */
   virtual void diameters(double &least, double &most) const = 0;
@@ -94,6 +98,9 @@ std::vector<Engine::Kind> kinds_of(const Spheres &spheres, int group,
  * them. Collective. */
 template <class Item> std::vector<Item> gather(const std::vector<Item> &mine, MPI_Comm world);
 std::vector<double> gather_for_all(const std::vector<double> &mine, MPI_Comm world);
+
+/* A text of rank 0 on all ranks. */
+std::string share(std::string text, MPI_Comm world);
 
 } // namespace asperity
 

@@ -200,10 +200,7 @@ void Model::fit_sizes() {
 /* The values of a constant of the script; empty where there are none and none are needed. */
 void Model::constants(const char *name, bool pairs, bool needed, const char *example,
                       std::vector<double> &values) const {
-  if (engine_.constants(name, pairs, values))
-    return;
-  values.clear();
-  if (!needed)
+  if (engine_.constants(name, pairs, values) || !needed)
     return;
   const std::string line = engine_.how_to_state(name, pairs, example);
   throw Error(text("the script has no %s; name a material for each atom type, as 'materials %s' "

@@ -72,17 +72,22 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   warn_of_speeds();
 }
 
+/* The ball around a box. */
+static Course around(const Bounds &box) {
+  Course ball = {{}, {}, 0, 0, 1};
+  for (int d = 0; d < 3; d++)
+    ball.x[d] = 0.5 * (box.lo[d] + box.hi[d]);
+  ball.reach = hypot(hypot(box.hi[0] - ball.x[0], box.hi[1] - ball.x[1]), box.hi[2] - ball.x[2]);
+  return ball;
+}
+
 void Wall::check_use(const Bounds *box, const char *empty_group) {
   if (is_use_checked_)
     return;
   is_use_checked_ = true;
-  double least, most;
-  setup.engine.diameters(least, most);
   for (const Member &member : setup.shapes) {
-    Bounds room = box ? *box : Bounds();
-    room.widen(0.5 * most);
-    if (box && member.pieces == 0 && !(member.shape->travel(setup.dt) > 0) &&
-        !member.shape->may_meet(room.lo, room.hi))
+    if (box && !(member.shape->travel(setup.dt) > 0) &&
+        member.shape->clear(around(*box), FaceList()) >= 1)
       setup.engine.warn("the wall '" + setup.geometry + "' lies outside of the box, " +
                         box->describe() +
                         ", and nothing meets it; is it in another unit of length?");

@@ -62,8 +62,7 @@ void Drive::move(double time, Frame &frame, Twist &twist) const {
  */
 
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive)
-    : drive_(drive), path_(path), scale_(scale), extent_(Bounds::none()), pieces_(0), origin_(0),
-      has_begun_(false) {
+    : drive_(drive), path_(path), scale_(scale), origin_(0), has_begun_(false) {
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
   std::string wrong;
   int rank;
@@ -74,28 +73,22 @@ DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, double scale, co
     } catch (const std::exception &error) {
       wrong = message_of(error);
     }
-  long long sizes[2] = {static_cast<long long>(wrong.size()), static_cast<long long>(pieces_)};
-  MPI_Bcast(sizes, 2, MPI_LONG_LONG, 0, world);
-  wrong.resize(sizes[0]);
-  MPI_Bcast(&wrong[0], static_cast<int>(sizes[0]), MPI_CHAR, 0, world);
+  wrong = asperity::share(wrong, world);
   if (!wrong.empty())
     throw Error(wrong);
-  pieces_ = sizes[1];
-  MPI_Bcast(&extent_, sizeof extent_, MPI_BYTE, 0, world);
   share(world, tree.release());
 }
 
 /* On rank 0. */
-ContactTree *DrivenMesh::read_tree() {
+ContactTree *DrivenMesh::read_tree() const {
   std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(aspi_tree_begin(), aspi_tree_free);
   bool good = tree != NULL;
+  int pieces = 0;
   read_stl(path_, [&](const ContactTriangle &read) {
     ContactTriangle triangle = read;
-    for (double *node : triangle.node) {
+    for (double *node : triangle.node)
       aspi_scale(scale_, node);
-      extent_.include(node);
-    }
-    good = good && aspi_tree_add(tree.get(), &triangle, static_cast<int>(pieces_++));
+    good = good && aspi_tree_add(tree.get(), &triangle, pieces++);
   });
   if (!good || !aspi_tree_finish(tree.get()))
     throw std::bad_alloc();
@@ -103,56 +96,13 @@ ContactTree *DrivenMesh::read_tree() {
 }
 
 std::string DrivenMesh::describe() const {
-  return text("stl %s: %zu triangles, ", path_.c_str(), pieces_) + extent_.describe() +
+  Bounds extent = Bounds::none();
+  for (size_t place = 0; place < pieces(); place++)
+    for (const double *node : aspi_tree_triangle(triangles(), static_cast<int>(place))->node)
+      extent.include(node);
+  return text("stl %s: %zu triangles, ", path_.c_str(), pieces()) + extent.describe() +
          text(" (scale %g)", scale_) +
          (each_keeps() ? "; MPI shares no memory here, so each rank keeps a copy" : "");
-}
-
-static double longest_side(const Bounds &b) {
-  return std::max(std::max(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]), b.hi[2] - b.lo[2]);
-}
-
-/* Between common units of length that a mesh may be in: mm, um, m, cm and nm. */
-static const double SCALES[] = {1e-3, 1e-6, 1e3, 1e6, 1e-2, 1e2, 1e-9, 1e9};
-
-/* A mesh may stand out of its box by this part of it, and is far too large, or too small to be what
- * was meant, from this many times its size. */
-static const double STANDS_OUT = 0.1, SIZES_APART = 100;
-
-/* The first of the scales that brings a mesh into the box; 0: none does. */
-static double fitting(const Bounds &mesh, const Bounds &box) {
-  Bounds room = box;
-  room.widen(STANDS_OUT * longest_side(box));
-  for (double by : SCALES) {
-    Bounds scaled = mesh;
-    for (int d = 0; d < 3; d++) {
-      scaled.lo[d] *= by;
-      scaled.hi[d] *= by;
-    }
-    if (room.has(scaled) && SIZES_APART * longest_side(scaled) > longest_side(box))
-      return by;
-  }
-  return 0;
-}
-
-std::string DrivenMesh::misfit(const Bounds &box, const double period[3]) const {
-  Bounds images = box;
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0) {
-      images.lo[d] = -HUGE_VAL;
-      images.hi[d] = HUGE_VAL;
-    }
-  const bool outside = !drive_.moves() && !extent_.meets(images);
-  const double times = longest_side(extent_) / longest_side(box);
-  if (!outside && !(times > SIZES_APART))
-    return "";
-  const double by = fitting(extent_, box);
-  return describe() +
-         (outside ? ": it lies outside of the box, "
-                  : text(": it is %.3g times as large as the box, ", times)) +
-         box.describe() +
-         (by > 0 ? text("; 'scale %g' would bring it in", by * scale_)
-                 : "; no scale between m, cm, mm, um and nm would bring it in");
 }
 
 void DrivenMesh::setup(double time) {

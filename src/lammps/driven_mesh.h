@@ -43,15 +43,11 @@ public:
   DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive);
 
   size_t pieces() const {
-    return pieces_;
+    return aspi_tree_count(triangles());
   }
 
   /* Number of triangles and their extent, for the log. */
   std::string describe() const;
-
-  /* Warning about a mesh at rest outside of the box and its images (`period` 0 where there are
-   * none), or over 100 times as large, with the scale that would bring it in; else empty. */
-  std::string misfit(const Bounds &box, const double period[3]) const;
 
   /* At the beginning of a run, and of each step: the time of the wall's own clock. */
   void setup(double time);
@@ -62,13 +58,11 @@ public:
   void restore_motion(const std::vector<double> &record) override;
 
 private:
-  ContactTree *read_tree();
+  ContactTree *read_tree() const;
 
   Drive drive_;
   std::string path_;
   double scale_;
-  Bounds extent_; /* where the motion begins */
-  size_t pieces_;
   double origin_;
   bool has_begun_;
 };

@@ -36,16 +36,6 @@ void EngineOfLammps::print(const std::string &what) const {
     utils::logmesg(program_, what + "\n");
 }
 
-/* LAMMPS has no constants of a script that other commands can ask for. */
-bool EngineOfLammps::constants(const char *, bool, std::vector<double> &values) const {
-  values.clear();
-  return false;
-}
-
-std::string EngineOfLammps::how_to_state(const char *, bool, const std::string &) const {
-  return "";
-}
-
 /* The largest radius of a type that fixes pour or deposit will make, as pair styles ask for it; 0:
  * none. */
 double EngineOfLammps::radius_to_come(int type) const {

@@ -21,8 +21,6 @@ public:
   double time() const override;
   void warn(const std::string &what) const override;
   void print(const std::string &what) const override;
-  bool constants(const char *name, bool pairs, std::vector<double> &values) const override;
-  std::string how_to_state(const char *name, bool pairs, const std::string &values) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
 

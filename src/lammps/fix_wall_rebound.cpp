@@ -179,7 +179,7 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
         asperity::read_driven_mesh(world, words, atom->ntypes, p_->type, geometry);
     p_->mesh = mesh.get();
     p_->wall.add_shape(std::move(mesh), p_->type, p_->mesh->pieces(), "stl");
-    report_mesh();
+    p_->print("fix " + p_->id() + " wall/rebound: " + p_->mesh->describe());
   } else if (words.is_one_of(primitives)) {
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
     p_->type = read_type(words);
@@ -192,13 +192,6 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   } else
     throw asperity::Error("the wall is '" + words.word("the wall") + "'; it must be one of " +
                           shapes);
-}
-
-void FixWallRebound::report_mesh() const {
-  p_->print("fix " + p_->id() + " wall/rebound: " + p_->mesh->describe());
-  const std::string misfit = p_->mesh->misfit(p_->bounds(), p_->box().period);
-  if (!misfit.empty())
-    p_->warn(misfit);
 }
 
 /* The last type where the script names none. */

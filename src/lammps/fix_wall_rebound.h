@@ -66,7 +66,6 @@ private:
   struct Parts;
 
   void read_geometry(asperity::Words &words, std::string &geometry);
-  void report_mesh() const; /* to the log, with a warning where it does not fit the box */
   int read_type(asperity::Words &words) const;
 
   Parts *p_; /* what the wall is made of, with the numbers of each atom */

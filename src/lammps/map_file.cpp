@@ -86,8 +86,8 @@ void MapFile::parse(Words &words) {
 void MapFile::write(MPI_Comm world, int64_t step, double time, const ContactTree *triangles,
                     const Frame &frame, const std::vector<double> &sums,
                     double worn_density) const {
-  int rank, wrong = 0;
-  std::string path = path_;
+  int rank;
+  std::string path = path_, wrong;
   const size_t star = path.find('*');
   if (star != std::string::npos)
     path.replace(star, 1, std::to_string(static_cast<long long>(step)));
@@ -95,15 +95,13 @@ void MapFile::write(MPI_Comm world, int64_t step, double time, const ContactTree
   if (rank == 0) {
     errno = 0;
     FILE *file = fopen(path.c_str(), "w");
-    if (file) {
+    if (file)
       write_map(file, time, triangles, frame, sums, worn_density);
-      const bool failed = ferror(file) != 0;
-      if (fclose(file) != 0 || failed)
-        wrong = errno ? errno : EIO;
-    } else
-      wrong = errno;
+    const bool failed = !file || ferror(file) != 0;
+    if ((file && fclose(file) != 0) || failed)
+      wrong = strerror(errno ? errno : EIO);
   }
-  MPI_Bcast(&wrong, 1, MPI_INT, 0, world);
-  if (wrong)
-    throw Error("the map file '" + path + "' cannot be written: " + strerror(wrong));
+  wrong = share(wrong, world);
+  if (!wrong.empty())
+    throw Error("the map file '" + path + "' cannot be written: " + wrong);
 }

@@ -268,18 +268,6 @@ double RegionShape::clear(const Course &course, const FaceList &stays) const {
   return steps;
 }
 
-bool RegionShape::may_meet(const double lo[3], const double hi[3]) const {
-  Course box = Course();
-  double half[3];
-  for (int d = 0; d < 3; d++) {
-    half[d] = 0.5 * (hi[d] - lo[d]);
-    box.x[d] = lo[d] + half[d];
-  }
-  box.reach = aspi_length(half);
-  box.most = 1;
-  return clear(box, FaceList()) < 1;
-}
-
 /* The acceleration along n that keeps a center at a face, by the face's curve: from the distance
  * a little way ahead. v: relative to the face. */
 double RegionShape::curve(double share, const Foot &at, const double x[3], double radius,

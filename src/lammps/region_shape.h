@@ -32,7 +32,6 @@ public:
 
   double travel(double dt) const override;
   double clear(const asperity::Course &course, const asperity::FaceList &stays) const override;
-  bool may_meet(const double lo[3], const double hi[3]) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
   bool under(int face, const double x[3], const double v[3], double reach,

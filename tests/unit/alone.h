@@ -44,12 +44,6 @@ public:
   void print(const std::string &what) const override {
     printed += what + "\n";
   }
-  bool constants(const char *, bool, std::vector<double> &) const override {
-    return false;
-  }
-  std::string how_to_state(const char *, bool, const std::string &) const override {
-    return "";
-  }
   void diameters(double &smallest, double &largest) const override {
     smallest = least;
     largest = most;

@@ -354,8 +354,8 @@ void stuck_grains_pass_their_forces_on(void **) {
 class Chaser : public Shape {
 public:
   explicit Chaser(double speed) : speed_(speed) {}
-  bool may_meet(const double[3], const double[3]) const override {
-    return true;
+  double clear(const Course &, const FaceList &) const override {
+    return 0;
   }
   bool find(const Path &path, double, double, Contact &contact) const override {
     contact = Contact();

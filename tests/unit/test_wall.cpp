@@ -272,7 +272,7 @@ void rows_are_in_the_box(void **) {
  */
 void idle_walls_are_doubted(void **) {
   const char *const lay = "surface rq 0.1 lambda_c 1 2 lay 0 0 1 rebound constant 1 1 deposit off";
-  const Bounds here = {{-1, -1, 0.4}, {1, 1, 5}}, far = {{-1, -1, 0.6}, {1, 1, 5}};
+  const Bounds here = {{-1, -1, 0.3}, {1, 1, 5}}, far = {{-1, -1, 2}, {1, 1, 5}};
   Alone engine;
   floor_of(engine, "rebound constant 1 1 deposit off")->check_use(&here, NULL);
   floor_of(engine, "rebound constant 1 1 deposit off")->check_use(NULL, NULL);
@@ -280,7 +280,7 @@ void idle_walls_are_doubted(void **) {
   std::unique_ptr<Wall> wall = floor_of(engine, lay);
   for (int run = 0; run < 2; run++)
     wall->check_use(&far, "dust");
-  assert_true(has(engine.warned, "lies outside of the box, x -1 to 1, y -1 to 1, z 0.6 to 5"));
+  assert_true(has(engine.warned, "lies outside of the box, x -1 to 1, y -1 to 1, z 2 to 5"));
   assert_true(has(engine.warned, "the lay, 0 0 1, is along the normal"));
   assert_true(has(engine.warned, "group 'dust' has no particles"));
   assert_int_equal(std::count(engine.warned.begin(), engine.warned.end(), '\n'), 3);

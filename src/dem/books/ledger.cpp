@@ -27,16 +27,6 @@ void Ledger::restore(const LedgerState &saved) {
   saved_ = saved;
 }
 
-/* A text of rank 0 on all ranks. */
-std::string Ledger::share(std::string text) const {
-  int length = static_cast<int>(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, world_);
-  text.resize(static_cast<size_t>(length));
-  if (length > 0)
-    MPI_Bcast(&text[0], length, MPI_CHAR, 0, world_);
-  return text;
-}
-
 std::string Ledger::open(const std::string &heading) {
   if (is_open_ || path_.empty())
     return "";
@@ -47,11 +37,11 @@ std::string Ledger::open(const std::string &heading) {
   } catch (const Error &error) {
     wrong = error.what();
   }
-  wrong = share(wrong);
+  wrong = share(wrong, world_);
   if (!wrong.empty())
     throw Error(wrong);
   is_open_ = true;
-  return share(report);
+  return share(report, world_);
 }
 
 void Ledger::Table::make_room(size_t rows) {
@@ -117,7 +107,7 @@ std::string Ledger::flush() {
   for (; written_ < size_; written_++)
     mine.add(row(written_), n_columns_);
   const PrintedRows all = {gather(mine.keys, world_), gather(mine.bytes, world_)};
-  return share(rank_ == 0 ? commit(all) : "");
+  return share(rank_ == 0 ? commit(all) : "", world_);
 }
 
 std::string Ledger::save(LedgerState &state) {
@@ -130,7 +120,7 @@ std::string Ledger::save(LedgerState &state) {
     late = file_->sync();
     state = file_->state();
   }
-  late = share(late);
+  late = share(late, world_);
   if (!late.empty())
     why += (why.empty() ? "" : "; ") + ("the disk does not have all of the ledger file '" + path_ +
                                         "' that this restart file counts: " + late);

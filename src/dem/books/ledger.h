@@ -88,7 +88,6 @@ private:
 
   Row row(size_t i) const;
 
-  std::string share(std::string text) const;
   std::string commit(const PrintedRows &rows);
 
   MPI_Comm world_;

@@ -32,13 +32,6 @@ bool Bounds::has(const Bounds &inner) const {
   return all;
 }
 
-bool Bounds::meets(const Bounds &other) const {
-  bool all = true;
-  for (int d = 0; d < 3; d++)
-    all = all && lo[d] <= other.hi[d] && other.lo[d] <= hi[d];
-  return all;
-}
-
 void Bounds::include(const double x[3]) {
   for (int d = 0; d < 3; d++) {
     lo[d] = std::min(lo[d], x[d]);

@@ -11,7 +11,6 @@ namespace asperity {
 struct Bounds {
   double lo[3], hi[3];
   bool has(const Bounds &inner) const;
-  bool meets(const Bounds &other) const;
   void include(const double x[3]);
   void widen(double by);
   std::string describe() const;

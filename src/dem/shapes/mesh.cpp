@@ -79,35 +79,6 @@ double MeshShape::travel(double dt) const {
   return 1.5 * most; /* a chord is shorter than its arc */
 }
 
-bool MeshShape::may_meet(const double lo[3], const double hi[3]) const {
-  Bounds region;
-  aspi_copy(lo, region.lo);
-  aspi_copy(hi, region.hi);
-  for (const Shift &shift : images(region)) {
-    double low[3], high[3];
-    aspi_subtract(lo, shift.by, low);
-    aspi_subtract(hi, shift.by, high);
-    if (!motion_.in_world()) { /* the box around the box, in the mesh's frame */
-      double corner[3], local[3];
-      double box[2][3] = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-      for (int k = 0; k < 8; k++) {
-        for (int d = 0; d < 3; d++)
-          corner[d] = k >> d & 1 ? high[d] : low[d];
-        motion_.end().to_local(corner, local);
-        for (int d = 0; d < 3; d++) {
-          box[0][d] = std::min(box[0][d], local[d]);
-          box[1][d] = std::max(box[1][d], local[d]);
-        }
-      }
-      aspi_copy(box[0], low);
-      aspi_copy(box[1], high);
-    }
-    if (aspi_tree_meets(tree_.get(), low, high))
-      return true;
-  }
-  return false;
-}
-
 double MeshShape::clear(const Course &course, const FaceList &stays) const {
   double steps = course.most;
   for (const Shift &shift : images_ahead(course, steps)) {

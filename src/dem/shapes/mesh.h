@@ -40,7 +40,6 @@ public:
   }
 
   double travel(double dt) const override;
-  bool may_meet(const double lo[3], const double hi[3]) const override;
   double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;

@@ -24,10 +24,8 @@ bool MeshShape::is_still() const {
 }
 
 void MeshShape::stick(const Path &path, const Contact &contact, Place &place) const {
-  place.piece = contact.piece;
-  if (motion_.in_world())
-    aspi_copy(contact.x, place.at);
-  else
+  Shape::stick(path, contact, place);
+  if (!motion_.in_world())
     motion_.frame_at(path.share() + contact.time / path.dt).to_local(contact.x, place.at);
 }
 

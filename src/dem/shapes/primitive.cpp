@@ -43,10 +43,6 @@ PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) {
   aspi_copy(velocity, v_);
 }
 
-bool PlaneShape::may_meet(const double lo[3], const double hi[3]) const {
-  return lo[plane_.axis] <= plane_.at && plane_.at <= hi[plane_.axis];
-}
-
 double PlaneShape::clear(const Course &course, const FaceList &stays) const {
   if (stays.count > 0)
     return course.most;
@@ -77,11 +73,6 @@ bool PlaneShape::under(int face, const double x[3], const double[3], double reac
   return at.distance <= reach;
 }
 
-void PlaneShape::stick(const Path &, const Contact &contact, Place &place) const {
-  place.piece = 0;
-  aspi_copy(contact.x, place.at);
-}
-
 void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
   aspi_add_scaled(place.at, dt, v_, place.at);
   aspi_copy(place.at, x);
@@ -97,18 +88,13 @@ CylinderShape::CylinderShape(int axis, const double center[3], double radius, do
   cylinder_.center[axis] = 0;
 }
 
-bool CylinderShape::may_meet(const double lo[3], const double hi[3]) const {
-  double nearest = 0, farthest = 0; /* squares of the distances of the box from the axis */
-  for (int d = 0; d < 3; d++) {
-    if (d == cylinder_.axis)
-      continue;
-    const double below = lo[d] - cylinder_.center[d], above = hi[d] - cylinder_.center[d];
-    const double near = std::max(0.0, std::max(below, -above)), far = std::max(-below, above);
-    nearest += near * near;
-    farthest += far * far;
-  }
-  const double square = cylinder_.radius * cylinder_.radius;
-  return nearest <= square && square <= farthest;
+double CylinderShape::clear(const Course &course, const FaceList &) const {
+  double v[3];
+  aspi_copy(course.v, v);
+  v[cylinder_.axis] = 0;
+  const double gap = fabs(axis_distance(course.x) - cylinder_.radius) - course.reach;
+  const double closing = course.widen + aspi_length(v);
+  return !(gap > 0) ? 0 : closing * course.most > gap ? gap / closing : course.most;
 }
 
 /* Wall velocity at the particle's center, so that a wall that turns carries all sizes at one
@@ -162,11 +148,6 @@ bool CylinderShape::under(int face, const double x[3], const double v[3], double
   at.follow = 0;
   at.curve = -side * (aspi_dot(v, v) - along * along) / distance;
   return distance > 0 && at.distance <= reach;
-}
-
-void CylinderShape::stick(const Path &, const Contact &contact, Place &place) const {
-  place.piece = 0;
-  aspi_copy(contact.x, place.at);
 }
 
 void CylinderShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {

@@ -19,7 +19,6 @@ namespace asperity {
 class PlaneShape : public Shape {
 public:
   PlaneShape(int axis, double at, const double velocity[3]);
-  bool may_meet(const double lo[3], const double hi[3]) const override;
   bool is_across(const double direction[3]) const override {
     double n[3] = {0, 0, 0};
     n[plane_.axis] = 1;
@@ -38,7 +37,6 @@ public:
   bool is_still() const override {
     return !(aspi_dot(v_, v_) > 0);
   }
-  void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
 
 private:
@@ -50,7 +48,7 @@ private:
 class CylinderShape : public Shape {
 public:
   CylinderShape(int axis, const double center[3], double radius, double along, double turn);
-  bool may_meet(const double lo[3], const double hi[3]) const override;
+  double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override {
     return axis == cylinder_.axis;
   }
@@ -63,7 +61,6 @@ public:
   bool is_still() const override {
     return !(fabs(along_) > 0) && !(fabs(turn_) > 0);
   }
-  void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
   void turn(const Place &place, double share, double dt, double axes[3][3],
             double omega[3]) const override;

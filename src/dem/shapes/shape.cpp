@@ -1,4 +1,4 @@
-/* Default functions of a shape, from its boxes alone; see shape.h.
+/* Default functions of a shape; see shape.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/shapes/shape.h"
@@ -12,22 +12,9 @@ using namespace asperity;
 /* Vectors are parallel within this angle, rad: nodes of an STL file may be in single precision. */
 static const double PARALLEL = 1e-6;
 
-/* Each try divides the number of steps by this. */
-static const double FEWER = 4;
-
-double Shape::clear(const Course &course, const FaceList &) const {
-  for (double steps = course.most; steps >= 1; steps /= FEWER) {
-    const double wide = course.reach + steps * course.widen;
-    double lo[3], hi[3];
-    for (int d = 0; d < 3; d++) {
-      const double end = course.x[d] + course.v[d] * steps;
-      lo[d] = std::min(course.x[d], end) - wide;
-      hi[d] = std::max(course.x[d], end) + wide;
-    }
-    if (!may_meet(lo, hi))
-      return steps;
-  }
-  return 0;
+void Shape::stick(const Path &, const Contact &contact, Place &place) const {
+  place.piece = contact.piece;
+  aspi_copy(contact.x, place.at);
 }
 
 void Shape::turn(const Place &, double, double, double[3][3], double omega[3]) const {

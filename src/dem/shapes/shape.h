@@ -110,12 +110,9 @@ public:
     return 0;
   }
 
-  /* False only if a box cannot meet the shape in its position at the end of the step. */
-  virtual bool may_meet(const double lo[3], const double hi[3]) const = 0;
-
   /* Lower bound of the number of steps in which a sphere on this course cannot meet the shape where
    * that is at the end of this step. The faces at which it stays do not count. */
-  virtual double clear(const Course &course, const FaceList &stays) const;
+  virtual double clear(const Course &course, const FaceList &stays) const = 0;
 
   /* True if the shape looks the same to a particle before and after it crosses the periodic edge of
    * the box along an axis. */
@@ -144,7 +141,7 @@ public:
 
   /* Stores the position of a particle that sticks at this contact of the path; and, after it has
    * been carried for the time dt, gives its place and velocity at the end of the step. */
-  virtual void stick(const Path &path, const Contact &contact, Place &place) const = 0;
+  virtual void stick(const Path &path, const Contact &contact, Place &place) const;
   virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
 
   /* Turns the axes of what sticks at a place as the shape turns from a share of the step of length
