@@ -23,6 +23,19 @@ struct Box {
   void wrap(double x[3]) const;
 };
 
+/* A box around something, its sides along the axes. */
+struct Bounds {
+  double lo[3], hi[3];
+  bool has(const Bounds &inner) const;
+  void include(const double x[3]);
+  void widen(double by);
+  std::string describe() const;
+  static Bounds none();
+  /* The box of a sphere that moves from x by v, between two times. */
+  static Bounds of_path(const double x[3], const double v[3], double from, double to,
+                        double radius);
+};
+
 /* The spheres of this rank, at the end of a step without walls; valid for one call. Vectors are
  * rows of three. */
 struct Spheres {

@@ -28,8 +28,8 @@ std::string for_types(int n, const char *first, const char *other) {
 Model::Model(const Engine &engine)
     : engine_(engine), units_(), d_range_(), doubted_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
       lay_(), heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
-      wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), dissipates_(true),
-      is_new_(true) {}
+      wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), least_(0), most_(0),
+      dissipates_(true), is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
@@ -163,13 +163,10 @@ void Model::make() {
   }
 }
 
-void Model::set_sizes(const double range[2]) {
-  d_range_[0] = range[0];
-  d_range_[1] = range[1];
-}
-
 void Model::prepare(const std::vector<int> &wall_types) {
   wall_types_ = wall_types;
+  kinds_ = engine_.kinds();
+  engine_.diameters(least_, most_);
   find_materials();
   fit_sizes();
   warn_of_doubts();
@@ -179,20 +176,18 @@ void Model::prepare(const std::vector<int> &wall_types) {
  * never shrinks. */
 void Model::fit_sizes() {
   asp_error wrong;
-  double least, most;
-  engine_.diameters(least, most);
-  if (!(most > 0))
+  if (!(most_ > 0))
     return;
   if (!asp_description_needs_sizes(description_.get())) {
     const asp_surface *surface = asp_wall_surface(wall_.get());
-    if (surface && asp_surface_check(surface, most, &wrong))
+    if (surface && asp_surface_check(surface, most_, &wrong))
       throw_error(wrong);
     return;
   }
-  if (wall_ && least >= d_range_[0] && most <= d_range_[1])
+  if (wall_ && least_ >= d_range_[0] && most_ <= d_range_[1])
     return;
-  d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], least) : least;
-  d_range_[1] = std::max(d_range_[1], most);
+  d_range_[0] = d_range_[0] > 0 ? std::min(d_range_[0], least_) : least_;
+  d_range_[1] = std::max(d_range_[1], most_);
   is_new_ = true;
   make();
 }
@@ -304,9 +299,8 @@ void Model::make_pairs() {
 void Model::check_kinds() const {
   if (number("yield_rate") > 0 || is_given("yield_stress"))
     return;
-  const std::vector<Engine::Kind> kinds = engine_.kinds();
-  for (size_t t = 0; t < kinds.size(); t++)
-    if (kinds[t].present && !(asp_material_get(materials_[t], "yield_stress") > 0))
+  for (size_t t = 0; t < kinds_.size(); t++)
+    if (kinds_[t].present && !(asp_material_get(materials_[t], "yield_stress") > 0))
       throw Error(text("material '%s' is that of particles (type %d) and has no yield stress; it "
                        "must be one that has, of your own in a file, or 'yield_stress Y', or "
                        "'rebound bons yield_rate A', or 'rebound walton E MU 0 deposit off', which "

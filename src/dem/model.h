@@ -5,6 +5,7 @@
 #ifndef ASPERITY_DEM_MODEL_H
 #define ASPERITY_DEM_MODEL_H
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
@@ -12,7 +13,7 @@
 
 #include "asperity_internal.h"
 #include "dem/engine.h"
-#include "dem/command_words.h"
+#include "dem/text.h"
 
 namespace asperity {
 
@@ -83,10 +84,14 @@ public:
   const double *sizes() const {
     return d_range_;
   }
-  void set_sizes(const double range[2]);
+  void set_sizes(const double range[2]) {
+    std::copy(range, range + 2, d_range_);
+  }
 
   /* The canonical text. */
-  std::string description() const;
+  std::string description() const {
+    return description_text(description_.get());
+  }
 
 private:
   typedef std::unique_ptr<asp_material, void (*)(asp_material *)> Material;
@@ -138,7 +143,9 @@ private:
   std::vector<Pair> pairs_;                     /* particle type x wall type */
   std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
   double default_friction_;
-  std::vector<int> wall_types_; /* of the wall's pieces */
+  std::vector<int> wall_types_;     /* of the wall's pieces */
+  std::vector<Engine::Kind> kinds_; /* of the particles, and their least and largest diameters */
+  double least_, most_;
   bool dissipates_;
   bool is_new_;
 };

@@ -22,10 +22,6 @@ std::string below(double speed) {
 
 } // namespace
 
-std::string Model::description() const {
-  return description_text(description_.get());
-}
-
 /* Reports the source of a constant of the pairs. */
 void Model::report_constant(const char *keyword, const char *name, bool of_script, double value) {
   materials_report_ += std::string("\n  ") + keyword;
@@ -39,7 +35,6 @@ void Model::report_constant(const char *keyword, const char *name, bool of_scrip
 
 /* The speed above which a particle yields, v_y = sigma_y/sqrt(rho E_c) (Bons et al. 2017). */
 void Model::report_yield() {
-  const std::vector<Engine::Kind> kinds = engine_.kinds();
   if (is_given("yield_stress"))
     materials_report_ += text("\n  yield_stress %g, by the description", number("yield_stress"));
   const double softening = asp_description_softening(description_.get());
@@ -51,15 +46,15 @@ void Model::report_yield() {
   const double rate = number("yield_rate");
   if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
     return;
-  for (size_t t = 0; t < kinds.size(); t++)
+  for (size_t t = 0; t < kinds_.size(); t++)
     for (int w : wall_types_) {
       const int type = static_cast<int>(t) + 1;
       const asp_pair *p = pair(type, w);
-      if (kinds[t].present && kinds[t].most > 0)
+      if (kinds_[t].present && kinds_[t].most > 0)
         materials_report_ +=
             text("\n  type %d on a wall of type %d: yields above %.4g along the normal", type, w,
                  softening * asp_pair_get(p, "yield_stress") /
-                     sqrt(kinds[t].most * asp_pair_get(p, "modulus")));
+                     sqrt(kinds_[t].most * asp_pair_get(p, "modulus")));
     }
 }
 
@@ -74,21 +69,18 @@ void Model::ask(const asp_question &question, int type, int wall_type) {
 
 /* What looks like a mistake; anew where there are smaller particles than before. Collective. */
 void Model::warn_of_doubts() {
-  double least, most;
-  engine_.diameters(least, most);
-  const std::vector<Engine::Kind> kinds = engine_.kinds();
-  if (!wall_ || !(is_new_ || (most > 0 && least < doubted_for_)))
+  if (!wall_ || !(is_new_ || (most_ > 0 && least_ < doubted_for_)))
     return;
-  doubted_for_ = most > 0 ? least : doubted_for_;
-  asp_particle largest = {most, 0, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
-  asp_question question = {description_.get(), wall_.get(), least, &largest, {NULL, NULL}};
+  doubted_for_ = most_ > 0 ? least_ : doubted_for_;
+  asp_particle largest = {most_, 0, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_question question = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
   ask(question, 0, 0);
-  for (size_t t = 0; t < kinds.size() && !pairs_.empty(); t++)
+  for (size_t t = 0; t < kinds_.size() && !pairs_.empty(); t++)
     for (int w : wall_types_) {
       const int type = static_cast<int>(t) + 1;
-      if (!kinds[t].present)
+      if (!kinds_[t].present)
         continue;
-      largest.density = density(type, kinds[t]);
+      largest.density = density(type, kinds_[t]);
       largest.pair = pair(type, w);
       question.material[0] = materials_[t];
       question.material[1] = materials_[w - 1];
@@ -108,16 +100,14 @@ double Model::density(int type, const Engine::Kind &kind) const {
 /* The normal speeds below which the smallest and the largest particles stick. */
 std::string Model::describe_capture() const {
   std::string lines;
-  double d_p[2];
-  engine_.diameters(d_p[0], d_p[1]);
-  const std::vector<Engine::Kind> kinds = engine_.kinds();
-  for (size_t t = 0; t < kinds.size() && !pairs_.empty(); t++)
+  const double d_p[2] = {least_, most_};
+  for (size_t t = 0; t < kinds_.size() && !pairs_.empty(); t++)
     for (int w : wall_types_) {
       const int type = static_cast<int>(t) + 1;
       double speed[2] = {0, 0};
-      for (int k = 0; kinds[t].present && k < 2; k++) {
+      for (int k = 0; kinds_[t].present && k < 2; k++) {
         const asp_particle particle = {
-            d_p[k], density(type, kinds[t]), pair(type, w), {0, 0, 0}, NULL, 0, 0, NULL};
+            d_p[k], density(type, kinds_[t]), pair(type, w), {0, 0, 0}, NULL, 0, 0, NULL};
         speed[k] = asp_description_capture_speed(description_.get(), &particle);
       }
       if (!(speed[0] > 0))
@@ -157,8 +147,7 @@ std::string Model::describe_surface() const {
     line +=
         "\n  spread is the default; the choice of Altmeppen et al. 2020 is 'spread weibull plane "
         "collisions single'";
-  double d_p[2];
-  engine_.diameters(d_p[0], d_p[1]);
+  const double d_p[2] = {least_, most_};
   for (int k = 0; k < 2 && asp_surface_bins(s) == 0 && d_p[k] > (k > 0 ? d_p[0] : 0); k++)
     line += text("\n  d_p %.4g: tilt of sigma %.4g deg", d_p[k],
                  atan(asp_wall_slope(wall, d_p[k])) * DEGREES);

@@ -48,16 +48,8 @@ struct Setup {
   }
   void set_clock(int64_t step, double dt);
 
-  /* Throws an Error if a shape has another kind of lay than the description. */
-  void check_lay() const;
-
-  /* Throws an Error if a shape stands across a periodic direction. */
-  void check_box() const;
-
   /* True if all shapes look the same to a particle that has crossed a periodic edge of the box. */
   bool repeats() const;
-
-  std::vector<int> wall_types() const;
 };
 
 } // namespace asperity

@@ -1,10 +1,11 @@
-/* Texts, with numbers in the unit styles of the engines.
+/* Texts, with numbers in the unit styles of the engines, and the words of a command.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_TEXT_H
 #define ASPERITY_DEM_TEXT_H
 
 #include <string>
+#include <vector>
 
 #include "asperity_internal.h"
 
@@ -28,8 +29,41 @@ std::string description_text(const asp_description *description);
 /* The unit style of that name; one that cannot be converted to others has no name and all 0. */
 asp_units units_of(const std::string &name);
 
-/* A number in the units of a style, with its unit: of length, speed or time. */
-std::string quantity(double value, const std::string &kind, const std::string &style);
+/* A time in the units of a style, with its unit. */
+std::string quantity_of_time(double value, const std::string &style);
+
+/* The words of a command, one after the other. All functions throw an Error that names what is
+ * missing or wrong; `what` names the value in it. */
+class Words {
+public:
+  Words(int count, const char *const *words) : words_(words, words + count), next_(0) {}
+
+  bool done() const {
+    return next_ >= words_.size();
+  }
+  size_t left() const {
+    return words_.size() - next_;
+  }
+  bool is(const char *word) const {
+    return !done() && words_[next_] == word;
+  }
+  /* True if the next word is in a list of words separated by blanks. */
+  bool is_one_of(const std::string &list) const;
+  /* Goes past the next word if it is this one. */
+  bool take(const char *word);
+  std::string word(const char *what);
+  double number(const char *what);
+  double whole(const char *what, double least, double most);
+  /* The words that are left, valid as long as this. */
+  std::vector<const char *> rest() const;
+  void skip(int count) {
+    next_ += static_cast<size_t>(count);
+  }
+
+private:
+  std::vector<std::string> words_;
+  size_t next_;
+};
 
 } // namespace asperity
 

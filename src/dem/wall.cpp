@@ -13,11 +13,72 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger torque_about interlock";
+const char Wall::KEYWORDS[] = "ledger torque_about interlock ";
+
+/* ---- the setup --------------------------------------------------------------------------------
+ */
+
+Setup::Setup(const Engine &of)
+    : engine(of), model(of), key(asp_key_wall(of.id().c_str())),
+      stay_key(asp_key_wall((of.id() + " stays").c_str())), interlocks(true), groupbit(1), box(),
+      clock(), dt(0) {}
+
+/* One formula for the time of a step, whether or not the run was interrupted before it. */
+void Setup::set_clock(int64_t step, double now_dt) {
+  const double now = static_cast<double>(step);
+  dt = now_dt;
+  if (!(clock.dt > 0))
+    clock = Clock{engine.time(), now, dt};
+  else if (clock.dt < dt || clock.dt > dt)
+    clock = Clock{time(now), now, dt};
+}
+
+bool Setup::repeats() const {
+  bool all = true;
+  for (const Member &member : shapes)
+    for (int d = 0; d < 3; d++)
+      all = all && (!(box.period[d] > 0) || member.shape->repeats(d));
+  return all;
+}
+
+/* A shape with another kind of lay than the description. */
+static void check_lay(const Setup &setup) {
+  const asp_lay_kind kind = setup.model.lay().kind;
+  for (const Member &member : setup.shapes)
+    if (kind != ASP_LAY_NONE && kind != member.shape->lay_kind())
+      throw Error(std::string("lay is ") + (kind == ASP_LAY_ANGLE ? "an angle" : "a vector") +
+                  "; of a " +
+                  (member.shape->lay_kind() == ASP_LAY_ANGLE
+                       ? "cylinder it must be axial, circumferential, or an angle in degrees from "
+                         "its axis"
+                       : "plane or a mesh it must be a vector, X Y Z"));
+}
+
+/* A shape across a periodic direction. */
+static void check_box(const Setup &setup) {
+  for (const Member &member : setup.shapes)
+    for (int d = 0; d < 3; d++)
+      if (setup.box.period[d] > 0 && member.shape->bars(d))
+        throw Error(text("the wall '%s' stands across %c, along which the box is periodic: a "
+                         "particle that leaves the box would come back on the other side of the "
+                         "wall; the boundary along %c must not be p, or the wall must be a mesh, "
+                         "which repeats with the box",
+                         setup.geometry.c_str(), "xyz"[d], "xyz"[d]));
+}
+
+static std::vector<int> wall_types(const Setup &setup) {
+  std::vector<int> types;
+  for (const Member &member : setup.shapes)
+    if (std::find(types.begin(), types.end(), member.wall_type) == types.end())
+      types.push_back(member.wall_type);
+  return types;
+}
+
+/* ---- the command ------------------------------------------------------------------------------
+ */
 
 Wall::Wall(const Engine &engine)
-    : setup(engine), books(setup), stepper(setup, books), fastest_(), warned_(false),
-      is_use_checked_(false) {}
+    : setup(engine), books(setup), stepper(setup, books), fastest_(0), warned_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
@@ -25,11 +86,11 @@ void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
   books.add_shape();
 }
 
-void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
+void Wall::parse(Words &words, const std::string &geometry, const std::string &own_words,
+                 const std::function<bool(Words &)> &own) {
   setup.geometry = geometry;
-  const std::string others = KEYWORDS + (own ? " " + own->keywords() : "");
   while (!words.done()) {
-    if ((own && own->parse(words)) || books.parse(words))
+    if ((own && own(words)) || books.parse(words))
       continue;
     if (words.is("map"))
       throw Error("'map' is of the triangles of LAMMPS's 'stl FILE'; LIGGGHTS writes those of a "
@@ -40,17 +101,17 @@ void Wall::parse(Words &words, const std::string &geometry, OwnKeywords *own) {
         throw Error("interlock is '" + word + "'; it must be on or off");
       setup.interlocks = word == "on";
     } else
-      setup.model.parse(words, others);
+      setup.model.parse(words, KEYWORDS + own_words);
   }
   setup.model.finish();
-  setup.check_lay();
+  check_lay(setup);
 }
 
 /* ---- a run ------------------------------------------------------------------------------------
  */
 
 void Wall::init(int64_t step, double dt) {
-  setup.model.prepare(setup.wall_types());
+  setup.model.prepare(wall_types(setup));
   setup.set_clock(step, dt);
   books.init();
   const std::string report = setup.model.take_report();
@@ -61,13 +122,13 @@ void Wall::init(int64_t step, double dt) {
 void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   setup.groupbit = groupbit;
   setup.box = box;
-  setup.check_box();
+  check_box(setup);
   setup.dt = spheres.dt;
   books.begin_run();
   books.reorder(spheres.n);
   stepper.begin_run(spheres, shape_now_);
   shape_now_.clear();
-  fastest_ = Fastest();
+  fastest_ = 0;
   check_speeds(spheres);
   warn_of_speeds();
 }
@@ -82,9 +143,6 @@ static Course around(const Bounds &box) {
 }
 
 void Wall::check_use(const Bounds *box, const char *empty_group) {
-  if (is_use_checked_)
-    return;
-  is_use_checked_ = true;
   for (const Member &member : setup.shapes) {
     if (box && !(member.shape->travel(setup.dt) > 0) &&
         member.shape->clear(around(*box), FaceList()) >= 1)
@@ -117,25 +175,6 @@ void Wall::reorder(const Spheres &spheres) {
   check_speeds(spheres);
 }
 
-static std::vector<Stepper *> steppers(const std::vector<Wall *> &walls) {
-  std::vector<Stepper *> all;
-  for (Wall *wall : walls)
-    all.push_back(&wall->stepper);
-  return all;
-}
-
-void Wall::step(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies) {
-  step_walls(steppers(walls), spheres);
-  if (bodies)
-    step_bodies(steppers(walls), *bodies);
-}
-
-void Wall::hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies) {
-  end_walls(steppers(walls), spheres);
-  if (bodies)
-    end_bodies(steppers(walls), *bodies);
-}
-
 void Wall::reset_dt(int64_t step, double dt) {
   setup.set_clock(step, dt);
   stepper.clear_ahead(); /* it counts steps */
@@ -146,10 +185,9 @@ void Wall::reset_dt(int64_t step, double dt) {
 void Wall::check_speeds(const Spheres &s) {
   for (int i = 0; !warned_ && i < s.n; i++) {
     const double *v = s.v + 3 * static_cast<size_t>(i);
-    const double square = aspi_dot(v, v), limit = fastest_.ratio * s.radius[i];
-    if (!(s.mask[i] & setup.groupbit) || square <= limit * limit)
-      continue;
-    fastest_ = Fastest{sqrt(square) / s.radius[i], 2 * s.radius[i], sqrt(square)};
+    const double square = aspi_dot(v, v), limit = fastest_ * s.radius[i];
+    if (s.mask[i] & setup.groupbit && square > limit * limit)
+      fastest_ = sqrt(square) / s.radius[i];
   }
 }
 
@@ -163,27 +201,15 @@ void Wall::warn_of_speeds() {
         "one left it; the step is far too long for walls so near to each other");
   if (warned_)
     return;
-  struct {
-    double ratio;
-    int rank;
-  } mine = {fastest_.ratio, setup.engine.rank()}, worst;
-  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, setup.engine.world());
-  if (worst.ratio * setup.dt <= 1)
-    return;
-  double fastest[2] = {fastest_.d_p, fastest_.speed};
-  MPI_Bcast(fastest, 2, MPI_DOUBLE, worst.rank, setup.engine.world());
-  warned_ = true;
-  const auto with_unit = [this](double value, const char *kind) {
-    return quantity(value, kind, setup.engine.units());
-  };
-  setup.engine.warn(
-      "particles move far in a step: one of diameter " + with_unit(fastest[0], "length") +
-      " moves at " + with_unit(fastest[1], "speed") +
-      text(", which is %.3g diameters in a step of ", 0.5 * worst.ratio * setup.dt) +
-      with_unit(setup.dt, "time") +
-      ". No contact is missed, but paths that forces bend, and walls that turn, are taken as "
-      "straight within a step; where that counts, the largest safe step is " +
-      with_unit(1 / worst.ratio, "time"));
+  double worst;
+  MPI_Allreduce(&fastest_, &worst, 1, MPI_DOUBLE, MPI_MAX, setup.engine.world());
+  warned_ = worst * setup.dt > 1;
+  if (warned_)
+    setup.engine.warn(
+        text("particles move far in a step: up to %.3g diameters", 0.5 * worst * setup.dt) +
+        ". No contact is missed, but paths that forces bend, and walls that turn, are taken as "
+        "straight within a step; where that counts, the largest safe step is " +
+        quantity_of_time(1 / worst, setup.engine.units()));
 }
 
 void Wall::end_step(int64_t step, bool output) {
@@ -259,28 +285,32 @@ void Wall::restore(const char *record) {
 
 /* Totals and sums of each mesh that is the same as before. */
 void Wall::restore_meshes(const WallState &saved) {
-  std::vector<std::pair<std::string, int64_t>> meshes;
-  std::vector<size_t> shape_of;
-  for (size_t m = 0; m < setup.shapes.size(); m++) {
-    const Member &member = setup.shapes[m];
-    if (member.name.empty())
-      continue;
-    meshes.push_back(std::make_pair(member.name, static_cast<int64_t>(member.pieces)));
-    shape_of.push_back(m);
-  }
   std::string lost;
-  const std::vector<int> found = match_meshes(saved, meshes, lost);
+  const auto lose = [&lost](const std::vector<double> &totals, const std::string &of) {
+    lost += (lost.empty() ? "the " : "; the ") + setting(totals.empty() ? 0 : totals[0]) +
+            " impacts of " + of;
+  };
+  const bool has_meshes = !setup.shapes[0].name.empty();
+  if (has_meshes && !saved.totals.empty())
+    lose(saved.totals, "the primitive wall");
+  shape_now_.assign(std::max(saved.meshes.size(), static_cast<size_t>(1)), 0);
+  shape_now_[0] = saved.meshes.empty() && !has_meshes;
+  for (size_t k = 0; k < saved.meshes.size(); k++) {
+    const MeshState &mesh = saved.meshes[k];
+    size_t m = 0;
+    while (m < setup.shapes.size() && setup.shapes[m].name != mesh.id)
+      m++;
+    if (m == setup.shapes.size())
+      lose(mesh.totals, "mesh '" + mesh.id + "', which is not one of this wall");
+    else if (setup.shapes[m].pieces != static_cast<size_t>(mesh.triangles))
+      lose(mesh.totals, "mesh '" + mesh.id + "', which had " + std::to_string(mesh.triangles) +
+                            " triangles and has " + std::to_string(setup.shapes[m].pieces));
+    else {
+      shape_now_[k] = static_cast<int>(m) + 1;
+      books.restore_mesh(m, mesh);
+      setup.shapes[m].shape->restore_motion(mesh.motion);
+    }
+  }
   if (!lost.empty())
     setup.engine.warn("not continued by a mesh, but kept in the wall's own counters: " + lost);
-  shape_now_.assign(std::max(saved.meshes.size(), static_cast<size_t>(1)), 0);
-  if (saved.meshes.empty() && meshes.empty())
-    shape_now_[0] = 1;
-  for (size_t k = 0; k < found.size(); k++) {
-    if (found[k] < 0)
-      continue;
-    const MeshState &mesh = saved.meshes[found[k]];
-    shape_now_[found[k]] = static_cast<int>(shape_of[k]) + 1;
-    books.restore_mesh(shape_of[k], mesh);
-    setup.shapes[shape_of[k]].shape->restore_motion(mesh.motion);
-  }
 }

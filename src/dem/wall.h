@@ -5,14 +5,14 @@
 #ifndef ASPERITY_DEM_WALL_H
 #define ASPERITY_DEM_WALL_H
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "dem/books/books.h"
-#include "dem/command_words.h"
+#include "dem/text.h"
 #include "dem/setup.h"
-#include "dem/shapes/bounds.h"
 #include "dem/step/bodies.h"
 #include "dem/step/stepper.h"
 
@@ -34,16 +34,17 @@ struct Wall {
   void add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                  const std::string &name);
 
-  /* Reads the rest of the command. geometry: the words before it, for messages. own: the engine's
-   * own keywords, or NULL. */
-  void parse(Words &words, const std::string &geometry, OwnKeywords *own = NULL);
+  /* Reads the rest of the command. geometry: the words before it, for messages. own: if the next
+   * word is a keyword of this engine alone, one of own_words, reads it and what belongs to it. */
+  void parse(Words &words, const std::string &geometry, const std::string &own_words = "",
+             const std::function<bool(Words &)> &own = nullptr);
 
   /* Before a run, and at its beginning, when all particles are where they belong; collective. */
   void init(int64_t step, double dt);
   void begin_run(const Spheres &spheres, int groupbit, const Box &box);
 
-  /* Warns once of what makes no sense. box: that of the particles, NULL where it grows with them;
-   * empty_group: the name of the wall's group if it has no particles, or NULL. Collective. */
+  /* In a step: warns of what makes no sense. box: that of the particles, NULL where it grows with
+   * them; empty_group: the name of the wall's group if it has no particles, or NULL. Collective. */
   void check_use(const Bounds *box, const char *empty_group);
 
   /* The rows of this rank's particles, N_STATE each. */
@@ -51,11 +52,6 @@ struct Wall {
 
   /* After particles have moved between ranks, or have been put into another order. */
   void reorder(const Spheres &spheres);
-
-  /* All contacts of a step of all walls of a run, and the end of the step, after its forces; their
-   * rows must be set. */
-  static void step(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
-  static void hold(const std::vector<Wall *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
 
   /* The ledger's windows, and warnings at output; collective. */
   void end_step(int64_t step, bool output);
@@ -73,19 +69,13 @@ struct Wall {
   void restore(const char *record);
 
 private:
-  /* The fastest particle of this rank in this run, by its radii per time. */
-  struct Fastest {
-    double ratio, d_p, speed;
-  };
-
   void check_speeds(const Spheres &spheres);
   void warn_of_speeds();
   Settings settings() const;
   void restore_meshes(const WallState &saved);
 
-  Fastest fastest_;
-  bool warned_; /* of speeds */
-  bool is_use_checked_;
+  double fastest_;             /* particle of this rank in this run, in radii per time */
+  bool warned_;                /* of speeds */
   std::vector<int> shape_now_; /* of a restart: the shape, from 1, that is each of the saved ones */
 };
 

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "dem/body_checks.h"
 #include "dem/engine.h"
 #include "dem/error.h"
 #include "dem/text.h"
@@ -99,21 +98,19 @@ public:
   virtual void fail_alone(const std::string &what) const = 0;
   /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
   virtual void set_rows() = 0;
-  /* The engine's bodies; NULL: it has none. */
-  virtual BodySource *bodies() {
-    return NULL;
-  }
+  /* The engine's bodies. */
+  virtual BodySource &bodies() = 0;
   /* Moves the wall to the end of the step. */
   virtual void begin_step() = 0;
 
   Spheres spheres() {
     Spheres s = Host::spheres();
-    const BodySource *of = bodies();
-    if (!of || !of->any())
+    const BodySource &of = bodies();
+    if (!of.any())
       return s;
     masks_.assign(s.mask, s.mask + s.n);
     for (int i = 0; i < s.n; i++)
-      if (of->has(i))
+      if (of.has(i))
         masks_[static_cast<size_t>(i)] = 0;
     s.mask = masks_.data();
     return s;
@@ -121,8 +118,8 @@ public:
 
   /* At the beginning of a run, and after particles have moved between ranks. Collective. */
   void list_bodies(bool begins) {
-    if (leads() && bodies())
-      bodies()->list(steppers(), begins);
+    if (leads() && bodies().any())
+      bodies().list(steppers(), begins);
   }
 
   /* An Error is thrown on all ranks; any other exception may be local, so abort. */
@@ -209,7 +206,6 @@ public:
     set_rows();
     list_bodies(true);
     attempt([&] { wall.begin_run(spheres(), this->fix_->groupbit, this->box()); });
-    check_use();
     has_begun_ = true;
   }
 
@@ -221,24 +217,26 @@ public:
       if (!fix->has_begun_)
         fix->begin_run();
     try {
-      std::vector<Wall *> walls;
       const bool grow = particles_grow();
       for (WallFix *fix : siblings_) {
         fix->set_rows();
         if (grow)
           fix->wall.stepper.clear_ahead();
         fix->begin_step();
-        walls.push_back(&fix->wall);
+        if (!fix->is_checked_)
+          fix->check_use();
       }
       Bodies *all = take_bodies();
       if (all && all->begins) /* the run */
         warn_of_bodies(*all);
-      Wall::step(walls, this->spheres(), all);
+      step_walls(steppers(), this->spheres());
+      if (all)
+        step_bodies(steppers(), *all);
     } catch (const std::exception &wrong) {
       fail_alone(message_of(wrong));
     }
-    if (bodies())
-      bodies()->put(false);
+    if (bodies().any())
+      bodies().put(false, this->world());
     for (WallFix *fix : siblings_) {
       if (!fix->deletes())
         continue;
@@ -256,12 +254,12 @@ public:
     if (!deletes())
       return 0;
     set_rows();
-    BodySource *of = siblings_.front()->bodies();
-    if (of)
-      of->list_deleted(wall.stepper.body_rows);
+    BodySource &of = siblings_.front()->bodies();
+    if (of.any())
+      of.list_deleted(wall.stepper.body_rows, this->world());
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
-      if (wall.stepper.rows.status(i) == Status::TO_DELETE || (of && of->is_deleted(i))) {
+      if (wall.stepper.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i))) {
         atom->avec->copy(atom->nlocal - 1, i, 1);
         atom->nlocal--;
         mine++;
@@ -281,14 +279,14 @@ public:
     set_rows();
     if (!leads())
       return;
-    std::vector<Wall *> walls;
-    for (WallFix *fix : siblings_) {
+    for (WallFix *fix : siblings_)
       fix->set_rows();
-      walls.push_back(&fix->wall);
+    Bodies *all = take_bodies();
+    end_walls(steppers(), this->spheres());
+    if (all) {
+      end_bodies(steppers(), *all);
+      bodies().put(true, this->world());
     }
-    Wall::hold(walls, this->spheres(), take_bodies());
-    if (bodies())
-      bodies()->put(true);
   }
 
   void end_run() {
@@ -322,23 +320,29 @@ public:
     fwrite(record.data(), 1, record.size(), file);
   }
 
+  void restore(const char *record) {
+    attempt([&] { wall.restore(record); });
+    is_restored_ = true;
+  }
+
   bool deletes() const {
     return wall.setup.model.deposit() == Model::DELETE;
   }
 
+  bool is_restored() const {
+    return is_restored_;
+  }
+
 protected:
   void warn_of_bodies(const Bodies &all) {
-    const MPI_Comm world = this->program_->world;
     const size_t saved = is_continued_ ? wall.stepper.body_rows.restored() : 0;
     is_continued_ = false;
-    for (const std::string &doubt :
-         {turn_doubt(all, bodies()->remedy(), world), count_doubt(all, saved, world)})
-      if (!doubt.empty())
-        this->warn(doubt);
+    for (const std::string &doubt : doubts_of(all, bodies().remedy(), saved, this->world()))
+      this->warn(doubt);
   }
 
   Bodies *take_bodies() {
-    return bodies() ? bodies()->take(steppers()) : NULL;
+    return bodies().any() ? bodies().take(steppers()) : NULL;
   }
 
   std::vector<Stepper *> steppers() {
@@ -361,6 +365,7 @@ private:
     const bool fixed = domain->nonperiodic < 2;
     const Bounds box = this->bounds();
     const int number = this->fix_->igroup;
+    is_checked_ = true;
     const bool empty = number > 0 && this->program_->atom->natoms > 0 && group->count(number) < 1;
     wall.check_use(fixed ? &box : NULL, empty ? group->names[number] : NULL);
   }
@@ -378,8 +383,44 @@ private:
   }
 
   bool has_begun_ = false;   /* begin_run() was called for this run */
+  bool is_restored_ = false; /* from a restart file */
+  bool is_checked_ = false;  /* check_use() was called, in the first step, in which shapes move */
   bool is_continued_ = true; /* no step yet since a restart */
   std::vector<int> masks_;   /* of the particles, 0 for those of bodies */
+};
+
+/* The functions of a fix that are the same in both engines. */
+template <class Fix, class Host> class WallHooks : public Fix {
+public:
+  using Fix::Fix;
+
+  void setup_pre_exchange() override {
+    this->pre_exchange();
+  }
+  void post_integrate() override {
+    wall_fix().step();
+  }
+  void reset_dt() override {
+    wall_fix().wall.reset_dt(this->update->ntimestep, this->update->dt);
+  }
+  double compute_scalar() override {
+    return wall_fix().wall.books.counter(Books::N_IMPACTS);
+  }
+  double compute_vector(int n) override {
+    return wall_fix().wall.books.counter(n);
+  }
+  double compute_array(int row, int column) override {
+    return wall_fix().wall.books.total(static_cast<size_t>(row), column);
+  }
+  void write_restart(FILE *file) override {
+    wall_fix().write_record(file);
+  }
+  void restart(char *record) override {
+    wall_fix().restore(record);
+  }
+
+protected:
+  virtual WallFix<Host> &wall_fix() = 0;
 };
 
 } // namespace asperity

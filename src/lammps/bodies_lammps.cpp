@@ -17,7 +17,6 @@
 
 #include "contact/vector.h"
 #include "dem/error.h"
-#include "dem/step/body_motion.h"
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
@@ -141,8 +140,6 @@ Fix *BodiesOfLammps::fix_of(int i) const {
  */
 
 void BodiesOfLammps::list(const std::vector<asperity::Stepper *> &walls, bool begins) {
-  if (!any())
-    return;
   std::map<double, size_t> numbers; /* by the tags of their owners */
   owned_.clear();
   owners_.clear();
@@ -184,10 +181,9 @@ void BodiesOfLammps::send_rows() {
   send(lammps_->comm, fix_, 0);
 }
 
-/* Each sphere once, by a particle of this rank or any of its ghosts. */
+/* By particles of this rank and their ghosts. */
 void BodiesOfLammps::list_spheres(const std::map<double, size_t> &numbers) {
   const Atom *atom = lammps_->atom;
-  typedef std::pair<size_t, BodySphere> Found;
   std::vector<Found> found;
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
     const Row &row = rows_[static_cast<size_t>(i)];
@@ -198,20 +194,9 @@ void BodiesOfLammps::list_spheres(const std::map<double, size_t> &numbers) {
     aspi_copy(row.arm, sphere.arm);
     found.push_back(Found(number->second, sphere));
   }
-  std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {
-    return a.first != b.first ? a.first < b.first : a.second.tag < b.second.tag;
-  });
-  bodies_.spheres.clear();
-  for (const Found &one : found) {
-    Body &body = bodies_.all[one.first];
-    if (body.count > 0 && bodies_.spheres.back().tag == one.second.tag)
-      continue;
-    if (body.count++ == 0) {
-      body.first = bodies_.spheres.size();
-      body.tag = one.second.tag - 1;
-    }
-    bodies_.spheres.push_back(one.second);
-  }
+  set_spheres(found);
+  for (Body &body : bodies_.all)
+    body.tag = bodies_.spheres[body.first].tag - 1;
 }
 
 int BodiesOfLammps::pack(int n, const int *list, double *to) const {
@@ -224,19 +209,9 @@ void BodiesOfLammps::unpack(int n, int first, const double *from) {
   memcpy(&rows_[static_cast<size_t>(first)], from, static_cast<size_t>(n) * sizeof(Row));
 }
 
-void BodiesOfLammps::list_deleted(const asperity::Memories &rows) {
-  std::vector<double> mine;
-  for (size_t b = 0; b < owned_.size(); b++)
-    if (rows.status(static_cast<int>(b)) == asperity::Status::TO_DELETE)
-      mine.push_back(owners_[b]);
-  deleted_ = asperity::gather_for_all(mine, lammps_->world);
-  std::sort(deleted_.begin(), deleted_.end());
-}
-
-bool BodiesOfLammps::is_deleted(int i) const {
+double BodiesOfLammps::name_at(int i) const {
   const Fix *fix = fix_of(i);
-  return fix && std::binary_search(deleted_.begin(), deleted_.end(),
-                                   static_cast<double>(of(fix, &Small::bodytag)[i]));
+  return fix ? static_cast<double>(of(fix, &Small::bodytag)[i]) : 0;
 }
 
 /* ---- a step -----------------------------------------------------------------------------------
@@ -262,8 +237,6 @@ void BodiesOfLammps::read() {
 }
 
 Bodies *BodiesOfLammps::take(const std::vector<asperity::Stepper *> &) {
-  if (!any())
-    return NULL;
   read();
   for (Fix *fix : fixes_)
     if (!is_checked_ && !is_known(fix))
@@ -274,20 +247,13 @@ Bodies *BodiesOfLammps::take(const std::vector<asperity::Stepper *> &) {
   return &bodies_;
 }
 
-void BodiesOfLammps::put(bool is_end) {
-  if (!any())
-    return;
-  int mine = 0, any_changed;
-  for (size_t b = 0; b < bodies_.all.size(); b++)
-    if (bodies_.all[b].is_changed) {
-      write(bodies_.all[b], of(owned_[b].first, &Small::body)[owned_[b].second], is_end);
-      mine = 1;
-    }
-  MPI_Allreduce(&mine, &any_changed, 1, MPI_INT, MPI_MAX, lammps_->world);
+void BodiesOfLammps::write(size_t b, bool is_end) {
+  ::write(bodies_.all[b], of(owned_[b].first, &Small::body)[owned_[b].second], is_end);
+}
+
+void BodiesOfLammps::set_particles(bool is_end) {
   const Atom *atom = lammps_->atom;
   for (Fix *fix : fixes_) {
-    if (!any_changed)
-      continue;
     of(fix, &Small::commflag) = is_end ? VELOCITY : MOTION;
     send(lammps_->comm, fix, 0);
     for (int i = 0; i < atom->nlocal; i++)

@@ -33,9 +33,6 @@ public:
   }
   void list(const std::vector<asperity::Stepper *> &walls, bool begins) override;
   asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
-  void put(bool is_end) override;
-  void list_deleted(const asperity::Memories &rows) override;
-  bool is_deleted(int i) const override;
   std::string remedy() const override;
 
   /* A Row of each particle to its ghosts. */
@@ -56,6 +53,12 @@ private:
   Fix *fix_of(int i) const;
   void send_rows();
   void list_spheres(const std::map<double, size_t> &numbers);
+  double name_of(size_t b) const override {
+    return owners_[b];
+  }
+  double name_at(int i) const override;
+  void write(size_t b, bool is_end) override;
+  void set_particles(bool is_end) override;
   void read();
   void set_particle(const Fix *fix, int i, double *x, double v[3], double omega[3]) const;
   bool is_known(Fix *fix) const;
@@ -66,8 +69,7 @@ private:
   bool is_checked_ = false;                  /* the layout */
   std::vector<Row> rows_;                    /* of particles and ghosts */
   std::vector<std::pair<Fix *, int>> owned_; /* where each body is */
-  std::vector<double> owners_, deleted_;     /* their owners' tags; of those to be deleted */
-  asperity::Bodies bodies_;
+  std::vector<double> owners_;               /* the tags of their owners */
 };
 
 } // namespace LAMMPS_NS

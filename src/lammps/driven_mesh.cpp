@@ -11,7 +11,6 @@
 #include "asperity.h"
 #include "contact/vector.h"
 #include "dem/error.h"
-#include "stl_file.h"
 #include "dem/text.h"
 
 using namespace asperity;

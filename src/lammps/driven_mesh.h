@@ -6,11 +6,12 @@
 #define ASPERITY_LAMMPS_DRIVEN_MESH_H
 
 #include <mpi.h>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "dem/shapes/mesh.h"
-#include "dem/command_words.h"
+#include "dem/text.h"
 
 namespace asperity {
 
@@ -66,6 +67,11 @@ private:
   double origin_;
   bool has_begun_;
 };
+
+/* Calls `take` for each triangle of the file, in its order; those of several solids one after the
+ * other. The normals that a file states are not used. Throws an Error that names the file, the line
+ * (or, of a binary file, the triangle), what stands there, and what must. */
+void read_stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take);
 
 /* Reads `FILE`, and behind it, in any order, `type T`, `scale S`, `move ...` and `map N FILE`.
  * type: the last of `types` where the words name none. */

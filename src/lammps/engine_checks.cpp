@@ -1,7 +1,7 @@
-/* Checks for commands that a script must not have; see engine_checks.h.
+/* Checks for commands that a script must not have; see engine_lammps.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "engine_checks.h"
+#include "engine_lammps.h"
 
 #include "atom.h"
 #include "domain.h"

@@ -18,7 +18,6 @@
 
 #include "bodies_lammps.h"
 #include "driven_mesh.h"
-#include "engine_checks.h"
 #include "map_file.h"
 #include "region_shape.h"
 
@@ -64,13 +63,13 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   BodiesOfLammps of_bodies;
   bigint last_step; /* that the wall knows of */
   bool steps;       /* this run has steps, which a rerun has not */
-  bool from_restart, restarted;
+  bool from_restart;
   double stuck; /* particles of all ranks, when a run began or ended */
   int type;     /* of the wall */
 
   Parts(LAMMPS *lammps, Fix *fix)
       : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix), last_step(0),
-        steps(false), from_restart(false), restarted(false), stuck(0), type(0) {}
+        steps(false), from_restart(false), stuck(0), type(0) {}
 
   void fail_at(const std::string &file, int line, const std::string &what) const {
     program_->error->all(file, line, "Fix wall/rebound (id " + id() + "): " + what);
@@ -88,36 +87,18 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   void set_rows() override {
     wall.set_rows(fix_->array_atom ? fix_->array_atom[0] : NULL);
   }
-  asperity::BodySource *bodies() override {
-    return &of_bodies;
+  asperity::BodySource &bodies() override {
+    return of_bodies;
   }
   void begin_step() override;
   void follow_step(bigint last);
-};
-
-/* The keywords that LIGGGHTS's wall does not have. */
-class FixWallRebound::Keywords : public asperity::OwnKeywords {
-public:
-  explicit Keywords(Parts *parts) : p_(parts) {}
-  std::string keywords() const override {
-    return "map";
-  }
-  bool parse(Words &words) override {
-    if (!p_->mesh || !words.take("map"))
-      return false;
-    p_->map.parse(words);
-    return true;
-  }
-
-private:
-  Parts *p_;
 };
 
 /* ---- making -----------------------------------------------------------------------------------
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
-    : Fix(lammps, narg, arg), p_(new Parts(lammps, this)) {
+    : WallHooks(lammps, narg, arg), p_(new Parts(lammps, this)) {
   if (lammps->citeme)
     lammps->citeme->add(CITE);
   p_->last_step = update->ntimestep;
@@ -129,8 +110,12 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     std::string geometry;
     Words words(narg - 3, arg + 3);
     read_geometry(words, geometry);
-    Keywords own(p_);
-    p_->wall.parse(words, geometry, &own);
+    p_->wall.parse(words, geometry, "map", [this](Words &next) {
+      if (!p_->mesh || !next.take("map"))
+        return false;
+      p_->map.parse(next);
+      return true;
+    });
     if (p_->units() == "lj" && p_->wall.setup.model.needs_materials())
       throw asperity::Error("units are 'lj', in which materials have no constants; units must be " +
                             p_->known_units() +
@@ -201,6 +186,10 @@ int FixWallRebound::read_type(Words &words) const {
   return static_cast<int>(words.whole("the wall's type", 1, atom->ntypes));
 }
 
+asperity::WallFix<EngineOfLammps> &FixWallRebound::wall_fix() {
+  return *p_;
+}
+
 int FixWallRebound::setmask() {
   return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
@@ -216,7 +205,7 @@ void FixWallRebound::init() {
   p_->check_run();
   p_->check(FLERR, particles_error(lmp));
   p_->check(FLERR, box_error(lmp));
-  if (p_->from_restart && !p_->restarted)
+  if (p_->from_restart && !p_->is_restored())
     p_->warn_of_no_restart();
   p_->from_restart = false;
   p_->follow_step(update->ntimestep);
@@ -236,10 +225,6 @@ void FixWallRebound::Parts::follow_step(bigint last) {
   if (last != last_step)
     wall.setup.clock.step += static_cast<double>(last - last_step);
   last_step = last;
-}
-
-void FixWallRebound::setup_pre_exchange() {
-  pre_exchange();
 }
 
 void FixWallRebound::setup(int) {
@@ -269,10 +254,6 @@ void FixWallRebound::Parts::begin_step() {
     if (mesh->set_images(box()))
       wall.stepper.clear_ahead();
   }
-}
-
-void FixWallRebound::post_integrate() {
-  p_->step();
 }
 
 void FixWallRebound::pre_exchange() {
@@ -307,36 +288,11 @@ void FixWallRebound::post_run() {
   p_->end_run();
 }
 
-void FixWallRebound::reset_dt() {
-  p_->wall.reset_dt(update->ntimestep, update->dt);
-}
-
 /* ---- output and restart -----------------------------------------------------------------------
  */
 
-double FixWallRebound::compute_scalar() {
-  return p_->wall.books.counter(Books::N_IMPACTS);
-}
-
-double FixWallRebound::compute_vector(int n) {
-  return p_->wall.books.counter(n);
-}
-
-double FixWallRebound::compute_array(int row, int column) {
-  return p_->wall.books.total(row, column);
-}
-
 double FixWallRebound::memory_usage() {
   return p_->wall.bytes() + static_cast<double>(atom->nmax * sizeof(double) * Wall::N_STATE);
-}
-
-void FixWallRebound::write_restart(FILE *file) {
-  p_->write_record(file);
-}
-
-void FixWallRebound::restart(char *buffer) {
-  p_->attempt([&] { p_->wall.restore(buffer); });
-  p_->restarted = true;
 }
 
 /* A data file is read before the wall is there, so that nothing of the wall can be in it. LAMMPS

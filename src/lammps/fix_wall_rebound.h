@@ -16,36 +16,24 @@ FixStyle(wall/rebound,FixWallRebound);
 #ifndef LMP_FIX_WALL_REBOUND_H
 #define LMP_FIX_WALL_REBOUND_H
 
-#include "fix.h"
-
-namespace asperity {
-class Words;
-}
+#include "engine_lammps.h"
 
 namespace LAMMPS_NS {
 
-class FixWallRebound : public Fix {
+class FixWallRebound : public asperity::WallHooks<Fix, EngineOfLammps> {
 public:
   FixWallRebound(class LAMMPS *, int, char **);
   ~FixWallRebound() override;
 
   int setmask() override;
   void init() override;
-  void setup_pre_exchange() override;
   void setup(int vflag) override;
-  void post_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
   void post_neighbor() override;
   void end_of_step() override;
   void post_run() override;
-  void reset_dt() override;
-  double compute_scalar() override;
-  double compute_vector(int n) override;
-  double compute_array(int row, int column) override;
   double memory_usage() override;
-  void write_restart(FILE *file) override;
-  void restart(char *buffer) override;
   void write_data_header(FILE *file, int which) override;
 
   void grow_arrays(int n) override;
@@ -62,9 +50,9 @@ public:
   void unpack_forward_comm(int n, int first, double *buffer) override;
 
 private:
-  class Keywords;
   struct Parts;
 
+  asperity::WallFix<EngineOfLammps> &wall_fix() override;
   void read_geometry(asperity::Words &words, std::string &geometry);
   int read_type(asperity::Words &words) const;
 

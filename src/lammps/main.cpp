@@ -3,39 +3,29 @@
  *
  * The script's command `clear` makes a new Modify, so the style is registered where that lists its
  * styles: this program defines a function of the name of Modify::create_factories(), which the
- * dynamic linker gives to the library in place of its own. A library whose version or class layout
- * is not the one compiled for would crash later and elsewhere, so both are checked first.
+ * dynamic linker gives to the library in place of its own. The library is checked first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dlfcn.h>
 #include <mpi.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string>
 
 #include "lammps.h"
 #include "input.h"
 #include "modify.h"
 #include "fix_wall_rebound.h"
-#include "library_check.h"
+#include "dem/launcher.h"
 
 using namespace LAMMPS_NS;
 
 namespace {
 
+const char NAME[] = "lammps-asperity";
 bool checked = false;
 
 Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
   return new FixWallRebound(lmp, narg, arg);
-}
-
-[[noreturn]] void fail(const std::string &wrong) {
-  int rank;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0)
-    fprintf(stderr, "ERROR: lammps-asperity: %s\n", wrong.c_str());
-  MPI_Finalize();
-  exit(1);
 }
 
 void register_style(Modify *modify) {
@@ -55,8 +45,9 @@ void asperity_create_factories(Modify *modify) {
   typedef void (*Function)(Modify *);
   Function original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, CREATE_FACTORIES));
   if (!original)
-    fail(library_mismatch("the LAMMPS library", "without Modify::create_factories",
-                          std::to_string(ASPERITY_LAMMPS_VERSION)));
+    asperity::check(NAME, asperity::library_mismatch("the LAMMPS library",
+                                                     "without Modify::create_factories",
+                                                     std::to_string(ASPERITY_LAMMPS_VERSION)));
   original(modify);
   if (checked)
     register_style(modify);
@@ -68,9 +59,7 @@ int main(int argc, char **argv) {
   setvbuf(stdout, NULL, _IOLBF, 0);
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
-  const std::string wrong = check_library(lammps);
-  if (!wrong.empty())
-    fail(wrong);
+  asperity::check(NAME, check_library(lammps));
   checked = true;
   register_style(lammps->modify);
   lammps->input->file();

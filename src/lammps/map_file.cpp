@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 
 #include "dem/error.h"
 #include "dem/text.h"
@@ -15,10 +16,6 @@ using namespace asperity;
 
 namespace {
 
-bool ends_with(const std::string &path, const std::string &end) {
-  return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
-}
-
 /* worn_density, 0: no erosion, and no array of its depth. */
 void write_map(FILE *file, double time, const ContactTree *tree, const Frame &frame,
                const std::vector<double> &sums, double worn_density) {
@@ -26,51 +23,40 @@ void write_map(FILE *file, double time, const ContactTree *tree, const Frame &fr
   std::vector<const ContactTriangle *> triangles(static_cast<size_t>(n));
   for (int place = 0; place < n; place++)
     triangles[static_cast<size_t>(aspi_tree_id(tree, place))] = aspi_tree_triangle(tree, place);
-  const auto begin = [&](const char *type, const char *name) {
+  const auto array = [&](const char *type, const char *name, const std::function<void(int)> &put) {
     fprintf(file, "<DataArray type=\"%s\" Name=\"%s\" format=\"ascii\">\n", type, name);
+    for (int i = 0; i < n; i++)
+      put(i);
+    fputs("</DataArray>\n", file);
   };
-  const char end[] = "</DataArray>\n";
   fprintf(file,
           "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
           "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-          "format=\"ascii\">\n%.17g\n%s</FieldData>\n"
+          "format=\"ascii\">\n%.17g\n</DataArray>\n</FieldData>\n"
           "<Piece NumberOfPoints=\"%d\" NumberOfPolys=\"%d\">\n<Points>\n"
           "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n",
-          time, end, 3 * n, n);
+          time, 3 * n, n);
   for (const ContactTriangle *triangle : triangles)
     for (const double *node : triangle->node) {
       double x[3];
       frame.to_world(node, x);
       fprintf(file, "%.9g %.9g %.9g\n", x[0], x[1], x[2]);
     }
-  fprintf(file, "%s</Points>\n<Polys>\n", end);
-  begin("Int32", "connectivity");
-  for (int i = 0; i < n; i++)
-    fprintf(file, "%d %d %d\n", 3 * i, 3 * i + 1, 3 * i + 2);
-  fputs(end, file);
-  begin("Int32", "offsets");
-  for (int i = 1; i <= n; i++)
-    fprintf(file, "%d\n", 3 * i);
-  fprintf(file, "%s</Polys>\n<CellData>\n", end);
-  begin("Int32", "id");
-  for (int i = 0; i < n; i++)
-    fprintf(file, "%d\n", i);
-  fputs(end, file);
+  fputs("</DataArray>\n</Points>\n<Polys>\n", file);
+  array("Int32", "connectivity",
+        [&](int i) { fprintf(file, "%d %d %d\n", 3 * i, 3 * i + 1, 3 * i + 2); });
+  array("Int32", "offsets", [&](int i) { fprintf(file, "%d\n", 3 * (i + 1)); });
+  fputs("</Polys>\n<CellData>\n", file);
+  array("Int32", "id", [&](int i) { fprintf(file, "%d\n", i); });
   const double *of = sums.data();
-  for (int k = 0; k < Books::N_SUMS; k++) {
-    begin("Float64", Books::SUM_NAMES[k]);
-    for (int i = 0; i < n; i++)
-      fprintf(file, "%.9g\n", of[Books::N_SUMS * i + k]);
-    fputs(end, file);
-  }
-  if (worn_density > 0) {
-    begin("Float64", "erosion_depth");
-    for (int i = 0; i < n; i++)
-      fprintf(file, "%.9g\n",
-              of[Books::N_SUMS * i + Books::SUM_ERODED] /
-                  (worn_density * aspi_triangle_area(triangles[static_cast<size_t>(i)])));
-    fputs(end, file);
-  }
+  for (int k = 0; k < Books::N_SUMS; k++)
+    array("Float64", Books::SUM_NAMES[k],
+          [&](int i) { fprintf(file, "%.9g\n", of[Books::N_SUMS * i + k]); });
+  if (worn_density > 0)
+    array("Float64", "erosion_depth", [&](int i) {
+      const double area = aspi_triangle_area(triangles[static_cast<size_t>(i)]);
+      fprintf(file, "%.9g\n", of[Books::N_SUMS * i + Books::SUM_ERODED] / (worn_density * area));
+    });
   fprintf(file, "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n");
 }
 
@@ -79,7 +65,7 @@ void write_map(FILE *file, double time, const ContactTree *tree, const Frame &fr
 void MapFile::parse(Words &words) {
   every_ = static_cast<int64_t>(words.whole("map", 1, 2147483647.0));
   path_ = words.word("the file of 'map'");
-  if (!ends_with(path_, ".vtp"))
+  if (path_.size() < 5 || path_.compare(path_.size() - 4, 4, ".vtp") != 0)
     throw Error("the file of 'map' is '" + path_ + "'; its name must end with .vtp");
 }
 

@@ -12,7 +12,7 @@
 
 #include "contact/tree.h"
 #include "dem/shapes/motion.h"
-#include "dem/command_words.h"
+#include "dem/text.h"
 
 namespace asperity {
 

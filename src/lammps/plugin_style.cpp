@@ -6,7 +6,6 @@
 
 #include "error.h"
 #include "fix_wall_rebound.h"
-#include "library_check.h"
 #include "version.h"
 
 using namespace LAMMPS_NS;

@@ -290,8 +290,8 @@ double RegionShape::curve(double share, const Foot &at, const double x[3], doubl
   return 0;
 }
 
-bool RegionShape::under(int face, const double x[3], const double v[3], double reach,
-                        asperity::Ground &at) const {
+bool RegionShape::under(int face, const double x[3], const double v[3], double reach, Contact &at,
+                        double &distance) const {
   std::vector<Foot> &feet = buffers_.feet;
   feet.clear();
   find_feet(root_, false, x, reach, feet);
@@ -302,8 +302,7 @@ bool RegionShape::under(int face, const double x[3], const double v[3], double r
     const RegionPart &part = parts_[foot.part];
     aspi_copy(foot.n, at.n);
     aspi_add_scaled(x, -foot.distance, at.n, point);
-    at.v_wall[0] = at.v_wall[1] = at.v_wall[2] = at.follow = at.curve = 0;
-    at.distance = foot.distance;
+    distance = foot.distance;
     at.face = face;
     if (part.moves()) {
       part.motion().velocity(1, point, at.v_wall);
@@ -313,7 +312,7 @@ bool RegionShape::under(int face, const double x[3], const double v[3], double r
     aspi_subtract(v, at.v_wall, u);
     const double square = aspi_dot(u, u), off = aspi_dot(u, at.n);
     if (foot.hollow > 0 && square > off * off)
-      at.curve = curve(1, foot, x, at.distance, u) * square / (square - off * off);
+      at.curve = curve(1, foot, x, distance, u) * square / (square - off * off);
     return true;
   }
   return false;

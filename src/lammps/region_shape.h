@@ -34,8 +34,8 @@ public:
   double clear(const asperity::Course &course, const asperity::FaceList &stays) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
-  bool under(int face, const double x[3], const double v[3], double reach,
-             asperity::Ground &at) const override;
+  bool under(int face, const double x[3], const double v[3], double reach, asperity::Contact &at,
+             double &distance) const override;
   void stick(const asperity::Path &path, const asperity::Contact &contact,
              asperity::Place &place) const override;
   void carry(asperity::Place &place, double radius, double dt, double x[3],

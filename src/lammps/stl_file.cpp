@@ -1,10 +1,10 @@
-/* An STL file, read as a stream; see stl_file.h. The format is that of 3D Systems'
+/* An STL file, read as a stream; see driven_mesh.h. The format is that of 3D Systems'
  * StereoLithography Interface Specification (1988): text in words, or 80 bytes of any text, the
  * number of triangles, and 50 bytes for each. Either may begin with the word `solid`; a file is
  * binary if its length fits its number of triangles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "stl_file.h"
+#include "driven_mesh.h"
 
 #include <cctype>
 #include <cerrno>
@@ -40,8 +40,8 @@ private:
   void read_text();
   bool read_line();
   bool is(const char *words) const;
-  void expect(const char *words);
-  void read_vertex(int corner);
+  void next(const char *part);
+  void read_vertex(double node[3]);
 
   const std::string &path_;
   const std::function<void(const ContactTriangle &)> &take_;
@@ -113,49 +113,46 @@ bool Stl::is(const char *words) const {
   return equal;
 }
 
-void Stl::expect(const char *words) {
+/* The next line of a part of the text. */
+void Stl::next(const char *part) {
   if (!read_line())
-    throw Error(text("STL file '%s' ends at line %d within a facet; it must end with 'endsolid'",
-                     path_.c_str(), number_));
-  if (!is(words))
-    fail("'" + std::string(words) + "'");
+    throw Error(text("STL file '%s' ends at line %d within a %s; it must end with 'endsolid'",
+                     path_.c_str(), number_, part));
 }
 
-void Stl::read_vertex(int corner) {
-  if (!read_line() || !is("vertex"))
-    fail(text("the facet's vertex %d of 3, 'vertex X Y Z'", corner + 1));
+void Stl::read_vertex(double node[3]) {
   const char *at = line_.c_str() + strlen("vertex");
-  for (int d = 0; d < 3; d++) {
-    if (*at != ' ')
-      fail("'vertex X Y Z'");
+  bool good = true;
+  for (int d = 0; d < 3 && good; d++) {
     char *end;
-    triangle_.node[corner][d] = aspi_number(at + 1, &end);
-    if (end == at + 1 || (*end && *end != ' ') || !std::isfinite(triangle_.node[corner][d]))
-      fail("'vertex X Y Z' of finite numbers");
+    good = *at == ' ';
+    if (!good)
+      continue;
+    node[d] = aspi_number(at + 1, &end);
+    good = end > at + 1 && (!*end || *end == ' ') && std::isfinite(node[d]);
     at = end;
   }
-  if (*at)
-    fail("'vertex X Y Z'");
+  if (!good || *at)
+    fail("'vertex X Y Z' of finite numbers");
 }
 
 void Stl::read_text() {
+  static const char *const LINES[] = {"outer loop", "vertex",  "vertex",
+                                      "vertex",     "endloop", "endfacet"};
   while (read_line()) {
     if (!is("solid"))
       fail("'solid NAME', with which a text begins");
-    for (;;) {
-      if (!read_line())
-        throw Error(text("STL file '%s' ends at line %d within a solid; it must end with "
-                         "'endsolid'",
-                         path_.c_str(), number_));
-      if (is("endsolid"))
-        break;
+    for (next("solid"); !is("endsolid"); next("solid")) {
       if (!is("facet"))
         fail("'facet normal X Y Z' or 'endsolid'");
-      expect("outer loop");
-      for (int corner = 0; corner < 3; corner++)
-        read_vertex(corner);
-      expect("endloop");
-      expect("endfacet");
+      for (int k = 0; k < 6; k++) {
+        next("facet");
+        if (!is(LINES[k]))
+          fail(k >= 1 && k <= 3 ? text("the facet's vertex %d of 3, 'vertex X Y Z'", k)
+                                : "'" + std::string(LINES[k]) + "'");
+        if (k >= 1 && k <= 3)
+          read_vertex(triangle_.node[k - 1]);
+      }
       give();
     }
   }

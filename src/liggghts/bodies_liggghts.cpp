@@ -13,7 +13,6 @@
 #include "multisphere.h"
 #include "update.h"
 #include "contact/vector.h"
-#include "dem/step/body_motion.h"
 
 using namespace LAMMPS_NS;
 using asperity::Bodies;
@@ -49,14 +48,10 @@ template <class Container> Container &property(FixMultisphere *fix, const char *
 
 BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
     : Pointers(engine),
-      fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))), bodies_(),
-      is_reordered_(true) {
-  bodies_.begins = true;
-}
+      fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))),
+      is_reordered_(true) {}
 
 Bodies *BodiesOfLiggghts::take(const std::vector<asperity::Stepper *> &walls) {
-  if (!fix_)
-    return NULL;
   Multisphere &data = fix_->data();
   bodies_.step = update->ntimestep;
   bodies_.dt = update->dt;
@@ -95,10 +90,9 @@ Bodies *BodiesOfLiggghts::take(const std::vector<asperity::Stepper *> &walls) {
   return &bodies_;
 }
 
-/* Each sphere once: an atom of this rank, or the first of its ghosts; in the order of their tags,
- * for the same sums on any number of ranks. */
+/* By atoms of this rank, and the first of their ghosts. */
 void BodiesOfLiggghts::take_spheres() {
-  std::vector<std::pair<int, BodySphere>> found;
+  std::vector<Found> found;
   double **const places = Inner::places(fix_);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
     const int b = fix_->belongs_to(i) < 0 ? -1 : fix_->data().map(fix_->belongs_to(i));
@@ -106,22 +100,9 @@ void BodiesOfLiggghts::take_spheres() {
       continue;
     BodySphere sphere = {{0, 0, 0}, atom->radius[i], atom->type[i], atom->mask[i], atom->tag[i]};
     aspi_copy(places[i], sphere.arm);
-    found.push_back(std::make_pair(b, sphere));
+    found.push_back(Found(static_cast<size_t>(b), sphere));
   }
-  std::sort(found.begin(), found.end(),
-            [](const std::pair<int, BodySphere> &one, const std::pair<int, BodySphere> &other) {
-              return one.first != other.first ? one.first < other.first
-                                              : one.second.tag < other.second.tag;
-            });
-  bodies_.spheres.clear();
-  for (Body &body : bodies_.all)
-    body.count = 0;
-  for (const std::pair<int, BodySphere> &one : found) {
-    Body &body = bodies_.all[static_cast<size_t>(one.first)];
-    if (body.count++ == 0)
-      body.first = bodies_.spheres.size();
-    bodies_.spheres.push_back(one.second);
-  }
+  set_spheres(found);
 }
 
 void BodiesOfLiggghts::write(size_t b, bool is_end) {
@@ -149,27 +130,9 @@ void BodiesOfLiggghts::write(size_t b, bool is_end) {
   put(omega, "omega");
 }
 
-void BodiesOfLiggghts::put(bool is_end) {
-  if (!fix_)
-    return;
-  int mine = 0, any_changed;
-  for (size_t b = 0; b < bodies_.all.size(); b++)
-    if (bodies_.all[b].is_changed) {
-      write(b, is_end);
-      mine = 1;
-    }
-  MPI_Allreduce(&mine, &any_changed, 1, MPI_INT, MPI_MAX, world);
-  if (any_changed && is_end)
+void BodiesOfLiggghts::set_particles(bool is_end) {
+  if (is_end)
     fix_->set_v_communicate();
-  else if (any_changed)
+  else
     Inner::set_atoms(fix_);
-}
-
-void BodiesOfLiggghts::list_deleted(const asperity::Memories &rows) {
-  std::vector<double> mine;
-  for (size_t b = 0; b < rows.memory.size(); b++)
-    if (rows.status(static_cast<int>(b)) == asperity::Status::TO_DELETE)
-      mine.push_back(static_cast<double>(bodies_.all[b].tag) + 1);
-  deleted_ = asperity::gather_for_all(mine, world);
-  std::sort(deleted_.begin(), deleted_.end());
 }

@@ -5,7 +5,6 @@
 #ifndef ASPERITY_LIGGGHTS_BODIES_H
 #define ASPERITY_LIGGGHTS_BODIES_H
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,30 +22,30 @@ public:
   }
   /* Also of a body that is being taken away. */
   bool has(int i) const override {
-    return fix_ && (fix_->belongs_to(i) >= 0 || fix_->fix_delflag()->vector_atom[i] > 0);
+    return fix_->belongs_to(i) >= 0 || fix_->fix_delflag()->vector_atom[i] > 0;
   }
   /* The fix may send its bodies afterwards: take() lists them. */
   void list(const std::vector<asperity::Stepper *> &, bool) override {
     is_reordered_ = true;
   }
   asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
-  void put(bool is_end) override;
-  void list_deleted(const asperity::Memories &rows) override;
-  bool is_deleted(int i) const override {
-    return fix_ && std::binary_search(deleted_.begin(), deleted_.end(), fix_->belongs_to(i));
-  }
   std::string remedy() const override {
     return "a time step that is shorter";
   }
 
 private:
   void take_spheres();
-  void write(size_t b, bool is_end);
+  double name_of(size_t b) const override {
+    return static_cast<double>(bodies_.all[b].tag) + 1;
+  }
+  double name_at(int i) const override {
+    return fix_->belongs_to(i);
+  }
+  void write(size_t b, bool is_end) override;
+  void set_particles(bool is_end) override;
 
   FixMultisphere *fix_;
-  asperity::Bodies bodies_;
-  bool is_reordered_;           /* since the spheres were listed */
-  std::vector<double> deleted_; /* numbers of bodies */
+  bool is_reordered_; /* since the spheres were listed */
 };
 
 } // namespace LAMMPS_NS

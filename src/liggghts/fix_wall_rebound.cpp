@@ -36,8 +36,7 @@ using asperity::Words;
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
-    : Fix(engine, narg, arg), WallFix(engine, this), wall_type_(), fix_state_(NULL),
-      restarted_(false) {
+    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), fix_state_(NULL) {
   check_id();
   check_particles();
   check_box();
@@ -160,7 +159,7 @@ FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int colum
 }
 
 void FixWallRebound::post_create() {
-  if (modify->fix_restart_in_progress() && !restarted_)
+  if (modify->fix_restart_in_progress() && !is_restored())
     warn_of_no_restart();
   fix_state_ = add_property(state_id(), Wall::N_STATE);
   for (MeshOfLiggghts *mesh : meshes_)
@@ -341,10 +340,6 @@ void FixWallRebound::set_rows() {
   wall.set_rows(state ? state[0] : NULL);
 }
 
-void FixWallRebound::setup_pre_exchange() {
-  pre_exchange();
-}
-
 void FixWallRebound::setup(int) {
   attempt([&] {
     for (MeshOfLiggghts *mesh : meshes_) {
@@ -364,10 +359,6 @@ void FixWallRebound::begin_step() {
     if (mesh->set_images(box()))
       wall.stepper.clear_ahead();
   }
-}
-
-void FixWallRebound::post_integrate() {
-  step();
 }
 
 /* Comm::exchange, which follows, counts the atoms anew. */
@@ -408,10 +399,6 @@ void FixWallRebound::show_maps() {
     });
 }
 
-void FixWallRebound::reset_dt() {
-  wall.reset_dt(update->ntimestep, update->dt);
-}
-
 void FixWallRebound::reset_timestep(bigint now, bigint before) {
   wall.setup.clock.step += static_cast<double>(now - before);
 }
@@ -419,29 +406,8 @@ void FixWallRebound::reset_timestep(bigint now, bigint before) {
 /* ---- output and restart -----------------------------------------------------------------------
  */
 
-double FixWallRebound::compute_scalar() {
-  return wall.books.counter(Books::N_IMPACTS);
-}
-
-double FixWallRebound::compute_vector(int n) {
-  return wall.books.counter(n);
-}
-
-double FixWallRebound::compute_array(int row, int column) {
-  return wall.books.total(row, column);
-}
-
 double FixWallRebound::memory_usage() {
   return wall.bytes();
-}
-
-void FixWallRebound::write_restart(FILE *file) {
-  write_record(file);
-}
-
-void FixWallRebound::restart(char *buffer) {
-  attempt([&] { wall.restore(buffer); });
-  restarted_ = true;
 }
 
 /* ---- the memory of each particle --------------------------------------------------------------

@@ -27,7 +27,10 @@ FixStyle(wall/rebound, FixWallRebound)
 
 namespace LAMMPS_NS {
 
-class FixWallRebound : public Fix, private asperity::WallFix<asperity::EngineOf<LAMMPS, Fix>> {
+typedef asperity::EngineOf<LAMMPS, Fix> EngineOfLiggghts;
+
+class FixWallRebound : public asperity::WallHooks<Fix, EngineOfLiggghts>,
+                       private asperity::WallFix<EngineOfLiggghts> {
 public:
   FixWallRebound(class LAMMPS *, int, char **);
   ~FixWallRebound();
@@ -36,24 +39,16 @@ public:
   void post_create() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
-  void setup_pre_exchange() override;
   void setup(int vflag) override;
-  void post_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
   void pre_force(int vflag) override;
   void end_of_step() override;
   void post_run() override;
-  void reset_dt() override;
   void reset_timestep(bigint now, bigint before) override;
   int min_type() override;
   int max_type() override;
-  double compute_scalar() override;
-  double compute_vector(int n) override;
-  double compute_array(int row, int column) override;
   double memory_usage() override;
-  void write_restart(FILE *file) override;
-  void restart(char *buffer) override;
 
   void grow_arrays(int n) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -80,8 +75,11 @@ private:
   void fail_alone(const std::string &what) const override;
   void set_rows() override;
   void begin_step() override;
-  asperity::BodySource *bodies() override {
-    return bodies_.get();
+  WallFix &wall_fix() override {
+    return *this;
+  }
+  asperity::BodySource &bodies() override {
+    return *bodies_;
   }
 
   void check_bodies();
@@ -100,7 +98,6 @@ private:
   std::vector<MeshOfLiggghts *> meshes_; /* the wall's shapes; empty: a primitive wall */
   int wall_type_[2];                     /* least and largest */
   class FixPropertyAtom *fix_state_;
-  bool restarted_;
   std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
 };
 

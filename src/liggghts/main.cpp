@@ -4,17 +4,14 @@
  * The style is registered in Modify::fix_map, which is private; naming the member in an explicit
  * template instantiation is legal C++ and reaches it. The script's command `clear` makes a new
  * Modify, so the style is registered by its constructor: this program defines a function of the
- * constructor's name, which the dynamic linker gives to the library in place of its own. A library
- * whose version or class layout is not the one compiled for would crash later and elsewhere, so
- * both are checked first.
+ * constructor's name, which the dynamic linker gives to the library in place of its own. The
+ * library is checked first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dlfcn.h>
-#include <malloc.h>
 #include <mpi.h>
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <map>
 #include <string>
@@ -29,10 +26,14 @@
 #include "universe.h"
 #include "update.h"
 #include "fix_wall_rebound.h"
+#include "dem/launcher.h"
 
 using namespace LAMMPS_NS;
+using namespace asperity;
 
 namespace {
+
+const char NAME[] = "liggghts-asperity";
 
 typedef Fix *(*FixCreator)(LAMMPS *, int, char **);
 typedef std::map<std::string, FixCreator> *Modify::*FixMapMember;
@@ -54,41 +55,20 @@ Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
   return new FixWallRebound(lmp, narg, arg);
 }
 
-void fail(const char *what, const char *found, const char *expected) {
-  int rank;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0)
-    fprintf(stderr,
-            "ERROR: liggghts-asperity: %s is %s, but it was built for %s; build asperity "
-            "again against this LIGGGHTS\n",
-            what, found, expected);
-  MPI_Finalize();
-  exit(1);
-}
-
-/* The library allocated the object with its own idea of the class; ours must fit in, and not leave
- * more over than the allocator rounds up to. */
-template <class T> void check_layout(const char *name, T *object) {
-  size_t room = malloc_usable_size(object);
-  if (sizeof(T) <= room && room < sizeof(T) + 32)
-    return;
-  fail(name, (std::to_string(room) + " bytes").c_str(),
-       (std::to_string(sizeof(T)) + " bytes").c_str());
-}
-
 /* Adds the style to a Modify that may be under construction, before the rest of LAMMPS exists. */
 void register_style(LAMMPS *lammps, Modify *modify) {
   if (!strstr(lammps->universe->version, ASPERITY_LIGGGHTS_VERSION))
-    fail("the LIGGGHTS library", lammps->universe->version, ASPERITY_LIGGGHTS_VERSION);
-  check_layout("the class Modify", modify);
+    check(NAME, library_mismatch("the LIGGGHTS library", lammps->universe->version,
+                                 ASPERITY_LIGGGHTS_VERSION));
+  check(NAME, check_layout("Modify", modify));
   (*(modify->*fix_map_member))["wall/rebound"] = create_wall_rebound;
 }
 
 void check_classes(LAMMPS *lammps) {
-  check_layout("the class Atom", lammps->atom);
-  check_layout("the class Domain", lammps->domain);
-  check_layout("the class Neighbor", lammps->neighbor);
-  check_layout("the class Update", lammps->update);
+  check(NAME, check_layout("Atom", lammps->atom));
+  check(NAME, check_layout("Domain", lammps->domain));
+  check(NAME, check_layout("Neighbor", lammps->neighbor));
+  check(NAME, check_layout("Update", lammps->update));
 }
 
 void handle_signals() {
@@ -117,7 +97,8 @@ void asperity_construct_modify(Modify *modify, LAMMPS *lammps) {
   typedef void (*Constructor)(Modify *, LAMMPS *);
   Constructor original = reinterpret_cast<Constructor>(dlsym(RTLD_NEXT, MODIFY_CONSTRUCTOR));
   if (!original)
-    fail("the LIGGGHTS library", "without Modify::Modify", ASPERITY_LIGGGHTS_VERSION);
+    check(NAME, library_mismatch("the LIGGGHTS library", "without Modify::Modify",
+                                 ASPERITY_LIGGGHTS_VERSION));
   original(modify, lammps);
   register_style(lammps, modify);
 }

@@ -114,19 +114,8 @@ void MeshOfLiggghts::hand_over(double dt) {
 
 /* Rows of number and force to the ranks that have these triangles. */
 void MeshOfLiggghts::give_away(const std::vector<double> &away) {
-  int ranks, size = static_cast<int>(away.size()), all = 0;
-  MPI_Comm_size(world_, &ranks);
-  MPI_Allreduce(&size, &all, 1, MPI_INT, MPI_SUM, world_);
-  if (all == 0)
-    return;
-  std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world_);
-  for (int r = 1; r < ranks; r++)
-    starts[r] = starts[r - 1] + sizes[r - 1];
-  std::vector<double> theirs(all);
-  MPI_Allgatherv(away.data(), size, MPI_DOUBLE, theirs.data(), sizes.data(), starts.data(),
-                 MPI_DOUBLE, world_);
-  for (int at = 0; at < all; at += 4) {
+  const std::vector<double> theirs = asperity::gather_for_all(away, world_);
+  for (size_t at = 0; at < theirs.size(); at += 4) {
     const int piece = static_cast<int>(theirs[at]);
     for (int k = 0; k < mesh()->map_size(piece); k++)
       if (mesh()->map(piece, k) < mesh()->sizeLocal())

@@ -5,7 +5,7 @@
 
 #include "asperity_internal.h"
 #include "dem/error.h"
-#include "dem/books/ledger_row.h"
+#include "dem/books/ledger_file.h"
 #include "dem/text.h"
 #include "openfoam/patch_walls.h"
 

@@ -11,7 +11,7 @@
 #include "PstreamReduceOps.H"
 #include "Time.H"
 #include "dem/error.h"
-#include "dem/books/ledger_row.h"
+#include "dem/books/ledger_file.h"
 #include "wallPolyPatch.H"
 
 using namespace asperity;
@@ -186,7 +186,7 @@ template <class Item> static std::vector<Item> gather(const std::vector<Item> &m
 void PatchWalls::flush(PatchWall &wall) const {
   PrintedRows mine;
   for (const LedgerRow &row : wall.rows)
-    mine.add(row, columns_);
+    mine.add(row.data(), columns_, row[LedgerColumn::STEP]);
   wall.rows.clear();
   const PrintedRows all = {gather(mine.keys), gather(mine.bytes)};
   const std::string why = wall.file ? all.commit(*wall.file) : "";

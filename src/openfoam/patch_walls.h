@@ -10,7 +10,6 @@
 
 #include "asperity.h"
 #include "dem/books/ledger_file.h"
-#include "dem/books/ledger_row.h"
 #include "subModelBase.H"
 #include "volFields.H"
 

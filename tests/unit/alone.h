@@ -120,6 +120,12 @@ struct Grains {
                    radius.data(),
                    mass.data()};
   }
+  std::vector<Stepper *> steppers() const {
+    std::vector<Stepper *> all;
+    for (Wall *wall : walls)
+      all.push_back(&wall->stepper);
+    return all;
+  }
   void begin(const std::vector<Wall *> &all) {
     walls = all;
     total = f;
@@ -145,13 +151,13 @@ struct Grains {
     kick();
     for (size_t k = 0; k < x.size(); k++)
       x[k] += v[k] * dt;
-    Wall::step(walls, spheres());
+    step_walls(steppers(), spheres());
   }
   void finish() {
     total = f;
     torque.assign(torque.size(), 0.);
     kick();
-    Wall::hold(walls, spheres());
+    end_walls(steppers(), spheres());
   }
   void fly(int steps) {
     for (int k = 0; k < steps; k++) {

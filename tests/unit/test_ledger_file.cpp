@@ -16,7 +16,6 @@
 #include <memory>
 
 #include "dem/error.h"
-#include "dem/books/ledger_row.h"
 extern "C" {
 #include <cmocka.h>
 }
@@ -42,10 +41,9 @@ static std::string add_rows(LedgerFile &file, int step, int count) {
     row.fill(0.5);
     row[LedgerColumn::TAG] = i;
     row[LedgerColumn::TIME] = step;
-    append_line(row, LedgerColumn::N_COLUMNS, bytes);
+    append_line(row.data(), LedgerColumn::N_COLUMNS, bytes);
   }
-  file.append(bytes.data(), bytes.size());
-  return file.commit(count);
+  return file.commit(bytes, count);
 }
 
 static void assert_written(const std::string &why) {
@@ -190,7 +188,7 @@ static void long_tags(void **) {
   LedgerRow row;
   row.fill(0);
   row[LedgerColumn::TAG] = static_cast<double>(tag);
-  append_line(row, LedgerColumn::N_COLUMNS, bytes);
+  append_line(row.data(), LedgerColumn::N_COLUMNS, bytes);
   assert_memory_equal(bytes.data(), "3000000000,", 11);
 }
 

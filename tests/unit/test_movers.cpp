@@ -235,10 +235,12 @@ public:
       turn(body);
       body.is_changed = false;
     }
-    Wall::step(grains_.walls, grains_.spheres(), &bodies_);
+    step_walls(grains_.steppers(), grains_.spheres());
+    step_bodies(grains_.steppers(), bodies_);
     set_forces();
     kick();
-    Wall::hold(grains_.walls, grains_.spheres(), &bodies_);
+    end_walls(grains_.steppers(), grains_.spheres());
+    end_bodies(grains_.steppers(), bodies_);
   }
 
   State state(size_t i) const {

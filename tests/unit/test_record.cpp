@@ -145,39 +145,6 @@ static void no_name(void **) {
   assert_says(wrong_of(record, record.size(), SIZE_MAX), "does not begin as one");
 }
 
-typedef std::vector<std::pair<std::string, int64_t>> Meshes;
-
-static void meshes(void **) {
-  const WallState saved = example();
-  std::string report;
-  assert_true(match_meshes(saved, Meshes{{"low", 2}, {"high", 1}}, report) ==
-              std::vector<int>({0, 1}));
-  assert_string_equal(report.c_str(), "");
-  assert_true(match_meshes(saved, Meshes{{"new", 2}, {"high", 1}, {"low", 2}}, report) ==
-              std::vector<int>({-1, 1, 0}));
-  assert_string_equal(report.c_str(), "");
-  assert_true(match_meshes(saved, Meshes{{"high", 1}}, report) == std::vector<int>({1}));
-  assert_string_equal(report.c_str(),
-                      "the 160 impacts of mesh 'low', which is not one of this wall");
-  assert_true(match_meshes(saved, Meshes{{"low", 3}, {"high", 1}}, report) ==
-              std::vector<int>({-1, 1}));
-  assert_string_equal(report.c_str(),
-                      "the 160 impacts of mesh 'low', which had 2 triangles and has 3");
-  assert_int_equal(match_meshes(saved, Meshes{}, report).size(), 0);
-  assert_says(report, "'low', which is not one of this wall; the 8 impacts of mesh 'high'");
-}
-
-static void plane_and_mesh(void **) {
-  WallState saved = example();
-  saved.meshes.clear();
-  saved.totals = {168, 3, 1e-12, 0.625};
-  std::string report;
-  match_meshes(saved, Meshes{}, report);
-  assert_string_equal(report.c_str(), "");
-  assert_true(match_meshes(saved, Meshes{{"low", 2}}, report) == std::vector<int>({-1}));
-  assert_string_equal(report.c_str(), "the 168 impacts of the primitive wall");
-}
-
 static void changes(void **) {
   const Settings now = {{"geometry", "mesh low"}, {"seed", "4"}, {"materials", ""}};
   assert_string_equal(describe_changes(now, now).c_str(), "");
@@ -209,15 +176,10 @@ void records_too_long_are_refused(void **) {
 }
 
 int main() {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(comes_back),
-                                     cmocka_unit_test(flipped),
-                                     cmocka_unit_test(cut),
-                                     cmocka_unit_test(wrong_inside),
-                                     cmocka_unit_test(no_name),
-                                     cmocka_unit_test(meshes),
-                                     cmocka_unit_test(other_version),
-                                     cmocka_unit_test(changes),
-                                     cmocka_unit_test(plane_and_mesh),
-                                     cmocka_unit_test(records_too_long_are_refused)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(comes_back), cmocka_unit_test(flipped),
+      cmocka_unit_test(cut),        cmocka_unit_test(wrong_inside),
+      cmocka_unit_test(no_name),    cmocka_unit_test(other_version),
+      cmocka_unit_test(changes),    cmocka_unit_test(records_too_long_are_refused)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -181,11 +181,11 @@ void valleys_get_what_grains_lose(void **) {
       grains.x[k] += grains.v[k] * grains.dt;
     }
     add_momenta(grains, about, 1, lost);
-    Wall::step(grains.walls, grains.spheres());
+    step_walls(grains.steppers(), grains.spheres());
     grains.total = grains.f;
     grains.torque.assign(grains.torque.size(), 0.);
     kick();
-    Wall::hold(grains.walls, grains.spheres());
+    end_walls(grains.steppers(), grains.spheres());
   }
   add_momenta(grains, about, -1, lost);
   int lie = 0;
@@ -365,7 +365,7 @@ public:
     contact.closing = speed_ - path.v[2];
     return contact.closing > 1e-6;
   }
-  bool under(int, const double[3], const double[3], double, Ground &) const override {
+  bool under(int, const double[3], const double[3], double, Contact &, double &) const override {
     return false;
   }
   void stick(const Path &, const Contact &contact, Place &place) const override {

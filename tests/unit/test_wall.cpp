@@ -102,7 +102,7 @@ void ledger_rows_are_one_block(void **) {
     assert_non_null(ledger.rows());
     assert_int_equal(ledger.size(), 0);
     for (int i = 0; i < n; i++) {
-      Ledger::Row row;
+      LedgerRow row;
       for (int k = 0; k < Ledger::N_FIELDS; k++)
         row[k] = 100. * i + k;
       ledger.add_row(row);
@@ -278,8 +278,7 @@ void idle_walls_are_doubted(void **) {
   floor_of(engine, "rebound constant 1 1 deposit off")->check_use(NULL, NULL);
   assert_string_equal(engine.warned.c_str(), "");
   std::unique_ptr<Wall> wall = floor_of(engine, lay);
-  for (int run = 0; run < 2; run++)
-    wall->check_use(&far, "dust");
+  wall->check_use(&far, "dust");
   assert_true(has(engine.warned, "lies outside of the box, x -1 to 1, y -1 to 1, z 2 to 5"));
   assert_true(has(engine.warned, "the lay, 0 0 1, is along the normal"));
   assert_true(has(engine.warned, "group 'dust' has no particles"));

@@ -9,7 +9,7 @@
 #include <new>
 
 #include "contact/vector.h"
-#include "dem/books/ledger_row.h"
+#include "dem/books/ledger_file.h"
 #include "dem/error.h"
 #include "dem/text.h"
 
@@ -147,15 +147,6 @@ void Books::check_written(const std::string &wrong) const {
 /* ---- loads ------------------------------------------------------------------------------------
  */
 
-ContactLoad::ContactLoad(const Spheres &s, int i, int of, const double center[3],
-                         const double normal[3], const double impulse_per_mass[3])
-    : particle(i), piece(of), mask(s.mask[i]), couple{0, 0, 0}, dissipated(0), eroded(0) {
-  aspi_copy(normal, n);
-  aspi_add_scaled(center, -s.radius[i], normal, point);
-  aspi_copy(impulse_per_mass, impulse);
-  aspi_scale(-s.mass[i], impulse);
-}
-
 /* Adds to `count` sums of a piece from `first` on. */
 void Books::ShapeSums::add_values(int piece, Sum first, int count, const double values[]) {
   for (int k = 0; k < count; k++)
@@ -232,11 +223,11 @@ void Books::add_load(size_t shape, const ContactLoad &load) {
     setup_.shapes[shape].shape->take(load);
 }
 
-void Books::count(const Spheres &s, int i, const Impact &counted, const ContactLoad &load) {
+void Books::count(const Impact &counted) {
   const asp_impact &impact = counted.result;
   const Contact &contact = counted.contact;
   const bool stuck = impact.outcome == ASP_DEPOSIT;
-  const double mass = s.mass[i], stuck_mass = stuck ? mass : 0;
+  const double mass = counted.mass, stuck_mass = stuck ? mass : 0;
   const double energy = 0.5 * mass * aspi_dot(counted.v1, counted.v1);
   counters_[N_IMPACTS]++;
   counters_[N_DEPOSITS] += stuck;
@@ -248,15 +239,15 @@ void Books::count(const Spheres &s, int i, const Impact &counted, const ContactL
   sums.totals[SHAPE_DEPOSITS] += stuck;
   const double values[] = {1, stuck_mass, energy};
   sums.add_values(contact.piece, SUM_IMPACTS, 3, values);
-  add_load(counted.shape, load);
+  add_load(counted.shape, counted.load);
   if (ledger_)
-    record(s, i, counted, load);
+    record(counted);
 }
 
-void Books::record(const Spheres &s, int i, const Impact &counted, const ContactLoad &load) {
+void Books::record(const Impact &counted) {
   typedef Ledger L;
   const bool stuck = counted.result.outcome == ASP_DEPOSIT;
-  L::Row row = impact_row(counted.v1, load.n, counted.result);
+  LedgerRow row = impact_row(counted.v1, counted.load.n, counted.result);
   row[L::TAG] = static_cast<double>(counted.key.tag);
   row[L::IMPACT] = counted.key.impact;
   row[L::TIME] = counted.time;
@@ -265,13 +256,13 @@ void Books::record(const Spheres &s, int i, const Impact &counted, const Contact
   row[L::TRIANGLE] = counted.contact.piece;
   aspi_copy(counted.contact.x, &row[L::X]); /* it may be past a periodic edge */
   setup_.box.wrap(&row[L::X]);
-  row[L::D_P] = 2 * s.radius[i];
+  row[L::D_P] = counted.d_p;
   row[L::OUTCOME] = !stuck ? 0 : setup_.model.deposit() == Model::DELETE ? 2 : 1;
-  row[L::STEP] = static_cast<double>(s.step);
-  row[L::MASS] = s.mass[i];
+  row[L::STEP] = static_cast<double>(counted.step);
+  row[L::MASS] = counted.mass;
   aspi_copy(counted.omega1, &row[L::OMEGA1X]);
-  aspi_copy(load.impulse, &row[L::IMPULSE_X]);
-  row[L::ERODED_MASS] = load.eroded;
+  aspi_copy(counted.load.impulse, &row[L::IMPULSE_X]);
+  row[L::ERODED_MASS] = counted.load.eroded;
   row[L::BODY] = static_cast<double>(counted.body);
   aspi_copy(counted.lever, &row[L::LEVER_X]);
   ledger_->add_row(row);

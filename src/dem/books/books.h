@@ -12,7 +12,7 @@
 
 #include "dem/books/ledger.h"
 #include "dem/books/record.h"
-#include "dem/command_words.h"
+#include "dem/text.h"
 #include "dem/setup.h"
 #include "dem/step/memory.h"
 
@@ -27,6 +27,9 @@ struct Impact {
   double time;      /* of the ledger */
   asp_key key;
   asp_impact result;
+  ContactLoad load;
+  double mass, d_p; /* of the mover, and of the sphere */
+  int64_t step;
   int64_t body;    /* number of the body that the particle is part of, from 1; 0: none */
   double lever[3]; /* from the body's center of mass to the particle's center */
 };
@@ -84,8 +87,8 @@ public:
   void reorder(int n);
 
   void begin_step(int64_t step);
-  /* An impact of a sphere, and its load. */
-  void count(const Spheres &spheres, int i, const Impact &impact, const ContactLoad &load);
+  /* An impact, with its load. */
+  void count(const Impact &impact);
   void add_load(size_t shape, const ContactLoad &load);
 
   /* Loads that stuck particles give in both halves of each step, until they end after a share of
@@ -139,7 +142,7 @@ private:
 
   void parse_ledger(Words &words);
   void check_written(const std::string &wrong) const;
-  void record(const Spheres &spheres, int i, const Impact &impact, const ContactLoad &load);
+  void record(const Impact &impact);
   double number(size_t k) const;
 
   /* An impulse and its torque. */

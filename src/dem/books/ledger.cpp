@@ -4,7 +4,6 @@
 #include "dem/books/ledger.h"
 
 #include <algorithm>
-#include <new>
 
 #include "dem/engine.h"
 #include "dem/error.h"
@@ -14,8 +13,7 @@ using namespace asperity;
 Ledger::Ledger(MPI_Comm world, int64_t every, const std::string &path, OnError on_error,
                int columns)
     : world_(world), every_(every), path_(path), on_error_(on_error), n_columns_(columns), saved_(),
-      is_open_(false), lost_(0), columns_(columns), others_(N_FIELDS - N_FULL), size_(0),
-      written_(0) {
+      is_open_(false), lost_(0), written_(0) {
   MPI_Comm_rank(world_, &rank_);
   if (rank_ == 0 && !path_.empty())
     file_.reset(new LedgerFile(path, columns));
@@ -44,37 +42,17 @@ std::string Ledger::open(const std::string &heading) {
   return share(report, world_);
 }
 
-void Ledger::Table::make_room(size_t rows) {
-  if (rows <= room_)
-    return;
-  const size_t room = std::max(2 * room_, rows + 255);
-  void *grown = realloc(numbers_.get(), room * columns_ * sizeof(double));
-  if (!grown)
-    throw std::bad_alloc();
-  numbers_.release();
-  numbers_.reset(static_cast<double *>(grown));
-  room_ = room;
-}
-
-void Ledger::add_row(const Row &added) {
-  columns_.make_room(size_ + 1);
-  others_.make_room(size_ + 1);
-  std::copy(added.begin(), added.begin() + n_columns_, columns_.row(size_));
-  std::copy(added.begin() + N_FULL, added.end(), others_.row(size_));
-  size_++;
-}
-
-Ledger::Row Ledger::row(size_t i) const {
-  Row whole;
-  std::copy(columns_.row(i), columns_.row(i + 1), whole.begin());
-  std::copy(others_.row(i), others_.row(i + 1), whole.begin() + N_FULL);
-  return whole;
+void Ledger::add_row(const LedgerRow &added) {
+  numbers_.insert(numbers_.end(), added.begin(), added.begin() + n_columns_);
+  steps_.push_back(added[STEP]);
 }
 
 void Ledger::begin_step(int64_t step) {
   if ((step - 1) % every_ != 0)
     return;
-  size_ = written_ = 0;
+  numbers_.clear();
+  steps_.clear();
+  written_ = 0;
 }
 
 std::string Ledger::end_step(int64_t step) {
@@ -104,8 +82,8 @@ std::string Ledger::flush() {
   if (!is_open_)
     return "";
   PrintedRows mine;
-  for (; written_ < size_; written_++)
-    mine.add(row(written_), n_columns_);
+  for (; written_ < steps_.size(); written_++)
+    mine.add(&numbers_[written_ * static_cast<size_t>(n_columns_)], n_columns_, steps_[written_]);
   const PrintedRows all = {gather(mine.keys, world_), gather(mine.bytes, world_)};
   return share(rank_ == 0 ? commit(all) : "", world_);
 }
@@ -128,13 +106,14 @@ std::string Ledger::save(LedgerState &state) {
 }
 
 double **Ledger::rows() {
-  columns_.make_room(1); /* an engine may take the address of the first row where there is none */
-  pointers_.resize(std::max(size_, static_cast<size_t>(1)));
+  if (numbers_.empty())
+    numbers_.reserve(1); /* an engine may take the address of the first row where there is none */
+  pointers_.resize(std::max(steps_.size(), static_cast<size_t>(1)));
   for (size_t i = 0; i < pointers_.size(); i++)
-    pointers_[i] = columns_.row(i);
+    pointers_[i] = numbers_.data() + i * static_cast<size_t>(n_columns_);
   return pointers_.data();
 }
 
 size_t Ledger::bytes() const {
-  return columns_.bytes() + others_.bytes() + pointers_.capacity() * sizeof(double *);
+  return (numbers_.capacity() + steps_.capacity() + pointers_.capacity()) * sizeof(double);
 }

@@ -8,20 +8,16 @@
 
 #include <mpi.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "dem/books/ledger_file.h"
-#include "dem/books/ledger_row.h"
 
 namespace asperity {
 
 class Ledger : public LedgerColumn {
 public:
-  typedef LedgerRow Row;
-
   /* Reaction of the engine if rows cannot be written. */
   enum OnError { STOP, GO_ON };
 
@@ -37,7 +33,7 @@ public:
    * empty string. */
   std::string open(const std::string &heading);
 
-  void add_row(const Row &row);
+  void add_row(const LedgerRow &row);
 
   /* At the beginning of a step: forgets the rows of the window that has ended. */
   void begin_step(int64_t step);
@@ -60,7 +56,7 @@ public:
     return n_columns_;
   }
   int size() const {
-    return static_cast<int>(size_);
+    return static_cast<int>(steps_.size());
   }
   /* The columns of all rows, one block of memory as LAMMPS and its Python interface expect it.
    * Valid until the next row is added. */
@@ -68,26 +64,6 @@ public:
   size_t bytes() const;
 
 private:
-  /* Rows of numbers in one block, which grows by realloc: a large block keeps its pages, where a
-   * copy would touch three times the memory. */
-  class Table {
-  public:
-    explicit Table(int columns) : columns_(columns), room_(0), numbers_(NULL, free) {}
-    double *row(size_t i) const {
-      return numbers_.get() + i * columns_;
-    }
-    void make_room(size_t rows);
-    size_t bytes() const {
-      return room_ * columns_ * sizeof(double);
-    }
-
-  private:
-    size_t columns_, room_;
-    std::unique_ptr<double, void (*)(void *)> numbers_;
-  };
-
-  Row row(size_t i) const;
-
   std::string commit(const PrintedRows &rows);
 
   MPI_Comm world_;
@@ -99,10 +75,10 @@ private:
   LedgerState saved_;
   std::unique_ptr<LedgerFile> file_; /* on rank 0 */
   bool is_open_;
-  int64_t lost_;           /* rows, in all */
-  Table columns_, others_; /* of each row: what users see, and what goes with it */
+  int64_t lost_;                        /* rows, in all */
+  std::vector<double> numbers_, steps_; /* n_columns_ of each row, and its step */
   std::vector<double *> pointers_;
-  size_t size_, written_; /* of the rows; how many of them are in the file */
+  size_t written_; /* rows that are in the file */
 };
 
 } // namespace asperity

@@ -10,9 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
+#include <cmath>
 
+#include "base/number.h"
 #include "dem/error.h"
-#include "dem/books/ledger_row.h"
 
 using namespace asperity;
 
@@ -38,7 +39,7 @@ uint32_t asperity::checksum(const void *bytes, size_t length) {
 }
 
 LedgerFile::LedgerFile(const std::string &path, int columns)
-    : path_(path), columns_(columns), fd_(-1), rows_(0), bytes_(0), pending_(0), torn_(false) {}
+    : path_(path), columns_(columns), fd_(-1), rows_(0), bytes_(0), torn_(false) {}
 
 LedgerFile::~LedgerFile() {
   if (fd_ >= 0)
@@ -100,12 +101,12 @@ std::string LedgerFile::begin_or_continue(bool is_new, const LedgerState &saved,
 
 void LedgerFile::begin(const std::string &heading) {
   const std::string first = "# " + heading + "\n" + ledger_names(columns_) + "\n";
-  if (ftruncate(fd_, 0) != 0)
-    throw Error(cannot_write(path_, strerror(errno)));
-  write(first.data(), first.size(), 0);
-  if (!why_.empty())
-    throw Error(cannot_write(path_, why_));
-  rows_ = 0;
+  rows_ = bytes_ = 0;
+  std::string why = take_back();
+  if (why.empty())
+    why = write(first.data(), first.size());
+  if (!why.empty())
+    throw Error(cannot_write(path_, why));
   bytes_ = static_cast<int64_t>(first.size());
 }
 
@@ -127,9 +128,9 @@ std::string LedgerFile::continue_at(const LedgerState &state) {
   const int64_t after = count_rows(state.bytes, torn);
   rows_ = state.rows;
   bytes_ = state.bytes;
-  take_back();
-  if (torn_)
-    throw Error(cannot_write(path_, why_));
+  const std::string why = take_back();
+  if (!why.empty())
+    throw Error(cannot_write(path_, why));
   std::string report = "ledger file '" + path_ + "' continues after the " + rows_of(rows_) +
                        " that the restart file counts";
   if (after > 0 || torn)
@@ -188,41 +189,24 @@ LedgerState LedgerFile::state() const {
 
 /* ---- writing --------------------------------------------------------------------------------- */
 
-void LedgerFile::append(const char *bytes, size_t length) {
-  buffer_.insert(buffer_.end(), bytes, bytes + length);
-  if (buffer_.size() >= BUFFER)
-    write_buffer();
-}
-
-void LedgerFile::write(const char *bytes, size_t length, int64_t at) {
-  while (why_.empty() && length > 0) {
+std::string LedgerFile::write(const char *bytes, size_t length) {
+  for (int64_t at = bytes_; length > 0;) {
     const ssize_t done = pwrite(fd_, bytes, length, at);
     if (done < 0 && errno == EINTR)
       continue;
-    if (done <= 0) {
-      why_ = done < 0 ? strerror(errno) : "nothing more is taken";
-      return;
-    }
+    if (done <= 0)
+      return done < 0 ? strerror(errno) : "nothing more is taken";
     bytes += done;
     at += done;
     length -= static_cast<size_t>(done);
   }
-}
-
-void LedgerFile::write_buffer() {
-  if (torn_)
-    take_back();
-  write(buffer_.data(), buffer_.size(), bytes_ + pending_);
-  pending_ += static_cast<int64_t>(buffer_.size());
-  buffer_.clear();
+  return "";
 }
 
 /* Back to the windows that have ended. */
-void LedgerFile::take_back() {
-  why_.clear();
-  if (ftruncate(fd_, bytes_) != 0)
-    why_ = strerror(errno);
-  torn_ = !why_.empty();
+std::string LedgerFile::take_back() {
+  torn_ = ftruncate(fd_, bytes_) != 0;
+  return torn_ ? strerror(errno) : "";
 }
 
 /* Rows that go to a file without a name are gone with it. */
@@ -231,19 +215,19 @@ bool LedgerFile::is_deleted() const {
   return fstat(fd_, &is) == 0 && is.st_nlink == 0;
 }
 
-std::string LedgerFile::commit(int64_t rows) {
-  write_buffer();
-  if (why_.empty() && is_deleted())
-    why_ = "it has been deleted";
-  const std::string why = why_;
-  if (why.empty()) {
-    rows_ += rows;
-    bytes_ += pending_;
-  } else
+std::string LedgerFile::commit(const std::vector<char> &bytes, int64_t rows) {
+  std::string why = torn_ ? take_back() : "";
+  if (why.empty())
+    why = write(bytes.data(), bytes.size());
+  if (why.empty() && is_deleted())
+    why = "it has been deleted";
+  if (!why.empty()) {
     take_back();
-  why_.clear();
-  pending_ = 0;
-  return why;
+    return why;
+  }
+  rows_ += rows;
+  bytes_ += static_cast<int64_t>(bytes.size());
+  return "";
 }
 
 /* File systems that cannot sync say EINVAL or ENOTSUP. */
@@ -251,4 +235,92 @@ std::string LedgerFile::sync() {
   if (fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP)
     return "";
   return strerror(errno);
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+/* Whole numbers (i) are printed as such in CSV. */
+#define LEDGER_NAMED(ID, name, type, text) {name, type},
+static const struct {
+  const char *name, *type;
+} COLUMNS[] = {LEDGER_COLUMNS(LEDGER_NAMED) LEDGER_MORE_COLUMNS(LEDGER_NAMED)};
+#undef LEDGER_NAMED
+
+std::string asperity::ledger_names(int columns) {
+  std::string names;
+  for (int i = 0; i < columns; i++)
+    names += (i > 0 ? "," : "") + std::string(COLUMNS[i].name);
+  return names;
+}
+
+void asperity::append_line(const double *row, int columns, std::vector<char> &bytes) {
+  char line[(ASPI_NUMBER_MOST + 1) * LedgerColumn::N_FULL], *end = line;
+  for (int i = 0; i < columns; i++) {
+    if (i > 0)
+      *end++ = ',';
+    if (std::isnan(row[i])) /* a coefficient that there is not */
+      continue;
+    if (COLUMNS[i].type[0] != 'i')
+      end = aspi_number_format(row[i], 10, end);
+    else {
+      const std::string count = std::to_string(static_cast<long long>(row[i]));
+      end = std::copy(count.begin(), count.end(), end);
+    }
+  }
+  *end++ = '\n';
+  bytes.insert(bytes.end(), line, end);
+}
+
+LedgerRow asperity::impact_row(const double v1[3], const double n[3], const asp_impact &impact) {
+  typedef LedgerColumn L;
+  const double degrees = 180 / ASP_PI;
+  const asp_coefficients c = asp_impact_coefficients(v1, n, &impact);
+  LedgerRow row = {};
+  row[L::V1] = c.v1;
+  row[L::ALPHA1] = c.alpha1 * degrees;
+  row[L::DELTA_ALPHA] = impact.delta_alpha * degrees;
+  row[L::TILT_OUT] = impact.tilt_out * degrees;
+  row[L::HITS] = impact.hits;
+  row[L::V2] = c.v2;
+  row[L::ALPHA2] = c.alpha2 * degrees;
+  row[L::COR_N] = c.cor_n;
+  row[L::COR_T] = c.cor_t;
+  for (int k = 0; k < 3; k++) {
+    row[L::NX + k] = n[k];
+    row[L::V1X + k] = v1[k];
+    row[L::V2X + k] = impact.v2[k];
+    row[L::OMEGA2X + k] = impact.omega[k];
+  }
+  return row;
+}
+
+void PrintedRows::add(const double *row, int columns, double step) {
+  typedef LedgerColumn L;
+  const size_t before = bytes.size();
+  append_line(row, columns, bytes);
+  const double length = static_cast<double>(bytes.size() - before);
+  keys.insert(keys.end(), {step, row[L::TIME], row[L::TAG], row[L::IMPACT], length});
+}
+
+std::string PrintedRows::commit(LedgerFile &file) const {
+  struct Place {
+    const double *key;
+    const char *row;
+    bool operator<(const Place &other) const {
+      return std::lexicographical_compare(key, key + KEY - 1, other.key, other.key + KEY - 1);
+    }
+  };
+  std::vector<Place> order;
+  order.reserve(size());
+  const char *row = bytes.data();
+  for (const double *key = keys.data(); order.size() < size(); key += KEY) {
+    order.push_back(Place{key, row});
+    row += static_cast<size_t>(key[KEY - 1]);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<char> sorted;
+  sorted.reserve(bytes.size());
+  for (const Place &place : order)
+    sorted.insert(sorted.end(), place.row, place.row + static_cast<size_t>(place.key[KEY - 1]));
+  return file.commit(sorted, static_cast<int64_t>(order.size()));
 }

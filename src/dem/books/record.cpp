@@ -146,14 +146,6 @@ std::string value_of(const Settings &settings, const std::string &name) {
   return "none";
 }
 
-std::string impacts_of(const std::vector<double> &totals) {
-  return setting(totals.empty() ? 0 : totals[0]) + " impacts";
-}
-
-std::string triangles(int64_t count) {
-  return std::to_string(count) + (count == 1 ? " triangle" : " triangles");
-}
-
 } // namespace
 
 Settings asperity::clauses(const Settings &settings) {
@@ -221,31 +213,4 @@ WallState asperity::unpack(const char *bytes, size_t available) {
   if (from.left > 0)
     damaged("its length");
   return state;
-}
-
-std::vector<int> asperity::match_meshes(const WallState &saved,
-                                        const std::vector<std::pair<std::string, int64_t>> &now,
-                                        std::string &report) {
-  std::vector<int> found(now.size(), -1);
-  std::vector<std::string> lost;
-  if (!now.empty() && !saved.totals.empty())
-    lost.push_back("the " + impacts_of(saved.totals) + " of the primitive wall");
-  for (size_t i = 0; i < saved.meshes.size(); i++) {
-    const MeshState &mesh = saved.meshes[i];
-    const std::string what = "the " + impacts_of(mesh.totals) + " of mesh '" + mesh.id + "', ";
-    size_t k = 0;
-    while (k < now.size() && now[k].first != mesh.id)
-      k++;
-    if (k == now.size())
-      lost.push_back(what + "which is not one of this wall");
-    else if (now[k].second != mesh.triangles)
-      lost.push_back(what + "which had " + triangles(mesh.triangles) + " and has " +
-                     std::to_string(now[k].second));
-    else
-      found[k] = static_cast<int>(i);
-  }
-  report.clear();
-  for (const std::string &text : lost)
-    report += (report.empty() ? "" : "; ") + text;
-  return found;
 }

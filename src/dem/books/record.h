@@ -56,13 +56,6 @@ void check_record_size(uint64_t bytes);
  * damaged, cut short, or of another version. */
 WallState unpack(const char *bytes, size_t available = SIZE_MAX);
 
-/* For each mesh of a wall (ID and number of triangles; none for a primitive wall), the index of the
- * saved mesh that it continues, or -1. `report` lists the saved data that is dropped; empty if
- * none. */
-std::vector<int> match_meshes(const WallState &saved,
-                              const std::vector<std::pair<std::string, int64_t>> &now,
-                              std::string &report);
-
 } // namespace asperity
 
 #endif

@@ -257,7 +257,7 @@ void MeshShape::set_contact(const Path &path, const ContactPath &local, const Sh
 /* From a face the center may have come to another one in its plane. An edge or a corner, whose
  * number is the complement of the triangle's, counts as itself. */
 bool MeshShape::under(int face, const double x[3], const double v[3], double reach,
-                      Ground &ground) const {
+                      Contact &contact, double &distance) const {
   const double still[3] = {0, 0, 0};
   for (const Shift &shift : images(Bounds::of_path(x, still, 0, 0, 2 * reach))) {
     double at[3], foot[3], arm[3], normal[3], other[3];
@@ -268,9 +268,9 @@ bool MeshShape::under(int face, const double x[3], const double v[3], double rea
     if (place < 0)
       continue;
     const ContactTree *tree = tree_.get();
-    ground.face = face;
+    contact.face = face;
     if (face < 0) {
-      ground.distance = aspi_triangle_nearest(aspi_tree_triangle(tree, place), at, foot);
+      distance = aspi_triangle_nearest(aspi_tree_triangle(tree, place), at, foot);
       aspi_subtract(at, foot, normal);
     } else {
       const ContactTriangle *triangle = aspi_tree_triangle(tree, place);
@@ -281,32 +281,31 @@ bool MeshShape::under(int face, const double x[3], const double v[3], double rea
             fabs(aspi_dot(normal, other)) < 1 - FLAT)
           continue;
         triangle = aspi_tree_triangle(tree, place);
-        ground.face = aspi_tree_id(tree, place);
+        contact.face = aspi_tree_id(tree, place);
       }
       aspi_subtract(at, triangle->node[0], arm);
       const double height = aspi_dot(arm, normal);
-      ground.distance = fabs(height);
+      distance = fabs(height);
       aspi_add_scaled(at, -height, normal, foot);
       aspi_scale(height, normal);
     }
-    if (!(ground.distance <= reach && ground.distance > 0))
+    if (!(distance <= reach && distance > 0))
       continue;
-    aspi_scale(1 / ground.distance, normal);
-    ground.v_wall[0] = ground.v_wall[1] = ground.v_wall[2] = ground.follow = ground.curve = 0;
+    aspi_scale(1 / distance, normal);
     if (motion_.in_world()) {
-      aspi_copy(normal, ground.n);
+      aspi_copy(normal, contact.n);
       if (runs())
-        surface_velocity(ground.face < 0 ? ~ground.face : ground.face, foot, ground.v_wall);
+        surface_velocity(contact.face < 0 ? ~contact.face : contact.face, foot, contact.v_wall);
       return true;
     }
     for (int i = 0; i < 3; i++)
-      ground.n[i] = aspi_dot(motion_.end().turn[i], normal);
+      contact.n[i] = aspi_dot(motion_.end().turn[i], normal);
     if (motion_.moves()) {
       double a[3];
       motion_.acceleration(1, x, v, a);
-      ground.follow = aspi_dot(a, ground.n);
+      contact.follow = aspi_dot(a, contact.n);
       motion_.end().to_world(foot, foot);
-      motion_.velocity(1, foot, ground.v_wall);
+      motion_.velocity(1, foot, contact.v_wall);
     }
     return true;
   }

@@ -10,13 +10,42 @@
 #include <vector>
 
 #include "contact/tree.h"
-#include "dem/shapes/bounds.h"
 #include "dem/engine.h"
 #include "dem/shapes/motion.h"
-#include "dem/shapes/node_tree.h"
 #include "dem/shapes/shape.h"
 
 namespace asperity {
+
+/* The triangles of a mesh for all ranks: one copy in each node, in memory that its ranks share, by
+ * MPI-3. Where MPI has no such memory, each rank has a copy. */
+class NodeTree {
+public:
+  NodeTree() : keeps_(true) {}
+  ~NodeTree();
+  NodeTree(const NodeTree &) = delete;
+  NodeTree &operator=(const NodeTree &) = delete;
+
+  /* From rank 0's tree, which it frees (the others give NULL), a tree for this rank; NULL when out
+   * of memory. It is valid while this object is. Collective, as is the end of the object. */
+  ContactTree *spread(MPI_Comm world, ContactTree *tree);
+
+  /* True if this rank has the triangles in its own memory, and not in another one's. */
+  bool keeps() const {
+    return keeps_;
+  }
+
+  /* True where MPI has no memory that ranks share. */
+  bool each_keeps() const {
+    return !own_.empty();
+  }
+
+private:
+  void *open_block(MPI_Comm world, MPI_Comm node, size_t bytes);
+
+  MPI_Win window_ = MPI_WIN_NULL;
+  std::vector<double> own_; /* without a window */
+  bool keeps_;
+};
 
 class MeshShape : public Shape {
 public:
@@ -43,8 +72,8 @@ public:
   double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
-  bool under(int face, const double x[3], const double v[3], double reach,
-             Ground &at) const override;
+  bool under(int face, const double x[3], const double v[3], double reach, Contact &at,
+             double &distance) const override;
   bool is_still() const override;
   void stick(const Path &path, const Contact &contact, Place &place) const override;
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;

@@ -1,7 +1,7 @@
-/* Triangles that the ranks of a node share; see node_tree.h.
+/* Triangles that the ranks of a node share; see mesh.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/shapes/node_tree.h"
+#include "dem/shapes/mesh.h"
 
 #include <algorithm>
 

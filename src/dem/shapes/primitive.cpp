@@ -61,16 +61,14 @@ bool PlaneShape::find(const Path &path, double radius, double latest, Contact &c
   return true;
 }
 
-bool PlaneShape::under(int face, const double x[3], const double[3], double reach,
-                       Ground &at) const {
-  at.face = face;
+bool PlaneShape::under(int face, const double x[3], const double[3], double reach, Contact &at,
+                       double &distance) const {
   const double off = x[plane_.axis] - plane_.at;
-  for (int d = 0; d < 3; d++)
-    at.n[d] = d != plane_.axis ? 0 : off < 0 ? -1 : 1;
+  at.face = face;
+  at.n[plane_.axis] = off < 0 ? -1 : 1;
   aspi_copy(v_, at.v_wall);
-  at.distance = fabs(off);
-  at.follow = at.curve = 0;
-  return at.distance <= reach;
+  distance = fabs(off);
+  return distance <= reach;
 }
 
 void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
@@ -135,19 +133,18 @@ double CylinderShape::axis_distance(const double x[3]) const {
   return aspi_length(arm);
 }
 
-bool CylinderShape::under(int face, const double x[3], const double v[3], double reach,
-                          Ground &at) const {
+bool CylinderShape::under(int face, const double x[3], const double v[3], double reach, Contact &at,
+                          double &distance) const {
   at.face = face;
-  const double distance = axis_distance(x), side = distance < cylinder_.radius ? -1 : 1;
+  const double off = axis_distance(x), side = off < cylinder_.radius ? -1 : 1;
   aspi_subtract(x, cylinder_.center, at.n);
   at.n[cylinder_.axis] = 0;
-  aspi_scale(side / distance, at.n);
+  aspi_scale(side / off, at.n);
   velocity(x, at.v_wall);
   const double along = v[cylinder_.axis];
-  at.distance = fabs(distance - cylinder_.radius);
-  at.follow = 0;
-  at.curve = -side * (aspi_dot(v, v) - along * along) / distance;
-  return distance > 0 && at.distance <= reach;
+  distance = fabs(off - cylinder_.radius);
+  at.curve = -side * (aspi_dot(v, v) - along * along) / off;
+  return off > 0 && distance <= reach;
 }
 
 void CylinderShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {

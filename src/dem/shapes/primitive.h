@@ -11,7 +11,7 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 #include "dem/shapes/shape.h"
-#include "dem/command_words.h"
+#include "dem/text.h"
 
 namespace asperity {
 
@@ -32,8 +32,8 @@ public:
     return !repeats(axis);
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
-  bool under(int face, const double x[3], const double v[3], double reach,
-             Ground &at) const override;
+  bool under(int face, const double x[3], const double v[3], double reach, Contact &at,
+             double &distance) const override;
   bool is_still() const override {
     return !(aspi_dot(v_, v_) > 0);
   }
@@ -56,8 +56,8 @@ public:
     return !repeats(axis);
   }
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
-  bool under(int face, const double x[3], const double v[3], double reach,
-             Ground &at) const override;
+  bool under(int face, const double x[3], const double v[3], double reach, Contact &at,
+             double &distance) const override;
   bool is_still() const override {
     return !(fabs(along_) > 0) && !(fabs(turn_) > 0);
   }

@@ -62,14 +62,6 @@ struct Course {
   double x[3], v[3], reach, widen, most;
 };
 
-/* The wall under a center. */
-struct Ground {
-  double n[3], v_wall[3], distance;
-  double follow; /* acceleration along n that keeps the center at the moving wall */
-  double curve;  /* the same due to the wall's curvature, for steps that are chords of it */
-  int face;      /* the face, or where the center has left it, the next one in its plane */
-};
-
 /* Faces of a shape. */
 struct FaceList {
   int count, face[3];
@@ -80,8 +72,6 @@ struct FaceList {
     return false;
   }
 };
-
-struct Spheres;
 
 /* Impulse of one contact on one piece of a wall. */
 struct ContactLoad {
@@ -94,10 +84,6 @@ struct ContactLoad {
   double couple[3];  /* angular momentum to the wall beyond that of the impulse at the point */
   double dissipated; /* energy */
   double eroded;     /* mass of the wall */
-
-  /* Load of particle i with its center at `center`, from an impulse per mass on the particle. */
-  ContactLoad(const Spheres &s, int i, int piece, const double center[3], const double n[3],
-              const double impulse_per_mass[3]);
 };
 
 class Shape {
@@ -129,10 +115,11 @@ public:
   /* The first contact of the path at or before `latest`. */
   virtual bool find(const Path &path, double radius, double latest, Contact &contact) const = 0;
 
-  /* The wall under a center that stays at a face and moves with v, at the end of the step. False if
-   * the center is farther away than `reach`. */
-  virtual bool under(int face, const double x[3], const double v[3], double reach,
-                     Ground &at) const = 0;
+  /* The contact of a center that stays at a face and moves with v, at the end of the step: fills
+   * what is not 0 of n, v_wall, follow and curve; the face, or where the center has left it, the
+   * next one in its plane; and the distance. False if that is larger than `reach`. */
+  virtual bool under(int face, const double x[3], const double v[3], double reach, Contact &at,
+                     double &distance) const = 0;
 
   /* True if carry() leaves a particle in this step where the step before has left it, at rest. */
   virtual bool is_still() const {

@@ -6,7 +6,9 @@
 #ifndef ASPERITY_DEM_BODIES_H
 #define ASPERITY_DEM_BODIES_H
 
+#include <mpi.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dem/step/stepper.h"
@@ -53,7 +55,25 @@ private:
   std::vector<int64_t> tag_;
 };
 
-/* An engine's bodies. Of the walls of a run, the first one's are used for all. */
+/* Turns axes by an angular velocity. */
+void turn_by(const double omega[3], double time, double axes[3][3]);
+
+/* Turns the axes of a free body by turns about one axis after another (Dullweber, Leimkuhler &
+ * McLachlan 1997): the angular momentum stays, and the energy does not drift. */
+void turn_free(const double inertia[3], const double momentum[3], double time, double axes[3][3]);
+
+/* Moves a free body straight, and turns it. */
+void advance(Body &body, double time);
+
+/* From the center of mass to the center of a sphere. */
+void arm_of(const Body &body, const BodySphere &sphere, double arm[3]);
+
+/* Angular velocity from angular momentum, and back. */
+void spin_of(const Body &body, double omega[3]);
+void momentum_of(const Body &body, const double omega[3], double momentum[3]);
+
+/* An engine's bodies. Of the walls of a run, the first one's are used for all; where there are
+ * none, only any() is called. */
 class BodySource {
 public:
   virtual ~BodySource() {}
@@ -62,17 +82,42 @@ public:
   virtual bool has(int i) const = 0;
   /* At the beginning of a run, and after particles have moved between ranks. Collective. */
   virtual void list(const std::vector<Stepper *> &walls, bool begins) = 0;
-  /* Those of this rank after the first half of a step, or at its end; NULL: there are none. put:
-   * gives back those that have changed, with their particles; at the end of a step only velocities
-   * and forces change. Collective. take throws an Error. */
+  /* Those of this rank after the first half of a step, or at its end. Collective. Throws an Error.
+   */
   virtual Bodies *take(const std::vector<Stepper *> &walls) = 0;
-  virtual void put(bool is_end) = 0;
+  /* Gives back those that have changed, with their particles; at the end of a step only velocities
+   * and forces change. Collective. */
+  void put(bool is_end, MPI_Comm world);
   /* Lists the bodies of all ranks that a wall deletes; collective. True for a particle of one. */
-  virtual void list_deleted(const Memories &rows) = 0;
-  virtual bool is_deleted(int i) const = 0;
+  void list_deleted(const Memories &rows, MPI_Comm world);
+  bool is_deleted(int i) const;
   /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
   virtual std::string remedy() const = 0;
+
+protected:
+  /* A sphere, and the number of its body on this rank. */
+  typedef std::pair<size_t, BodySphere> Found;
+  /* Lists each sphere once, in the order of their tags, for the same sums on any number of ranks.
+   */
+  void set_spheres(std::vector<Found> &found);
+
+  Bodies bodies_;
+
+private:
+  /* The engine's name of a body of this rank, and of that of a particle: it has none below 1. */
+  virtual double name_of(size_t b) const = 0;
+  virtual double name_at(int i) const = 0;
+  virtual void write(size_t b, bool is_end) = 0;
+  virtual void set_particles(bool is_end) = 0;
+
+  std::vector<double> deleted_; /* names of bodies */
 };
+
+/* Warnings when a run begins: of fewer bodies than were `saved` in the restart file, and of bodies
+ * that turn so far in a step that Richardson's rule, by which the engine turns them, adds to their
+ * energy. remedy: what to use; "": the engine has another rule. Collective. */
+std::vector<std::string> doubts_of(const Bodies &bodies, const std::string &remedy, size_t saved,
+                                   MPI_Comm world);
 
 /* After bodies have moved between ranks, or have got other numbers, and at the beginning of a run:
  * their memories of the walls come along. Collective. */

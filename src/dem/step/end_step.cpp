@@ -31,71 +31,44 @@ const double GAP = 0.01, OVERLAP = 1e-5, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
 /* Cosine below which two directions are at right angles. */
 const double ACROSS = 1e-9;
 
-struct Held {
-  Stepper *wall;
-  size_t shape, sphere;
-  int face;
-  double center[3];
-};
-
-int piece_of(int face) {
-  return face < 0 ? ~face : face;
-}
-
-/* The wall under a sphere that rests at a face of it; false: it is there no more. */
+/* The contact of a sphere that rests at a face; false: it is there no more. */
 bool look_under(const Flight &flight, const Rest &rest, Stepper &wall, const double v[3],
-                const double spin[3], Held &held, Ground &ground) {
+                const double spin[3], Touch &touch, double &distance) {
   const Mover &mover = flight.mover;
+  Contact &contact = touch.contact;
   double arm[3], u[3];
-  held.wall = &wall;
-  held.shape = static_cast<size_t>(rest.shape) - 1;
-  held.sphere = mover.number_of(rest.sphere);
-  if (held.sphere == mover.count || held.shape >= wall.setup.shapes.size())
+  touch = Touch();
+  touch.wall = &wall;
+  touch.shape = static_cast<size_t>(rest.shape) - 1;
+  touch.sphere = mover.number_of(rest.sphere);
+  if (touch.sphere == mover.count || touch.shape >= wall.setup.shapes.size())
     return false;
-  mover.arm(held.sphere, arm);
-  aspi_add_scaled(flight.path.x, 1, arm, held.center);
+  mover.arm(touch.sphere, arm);
+  aspi_add_scaled(flight.path.x, 1, arm, contact.x);
+  touch.before = flight.path;
+  aspi_copy(contact.x, touch.before.x);
   aspi_copy(v, u);
   if (!mover.is_ball) {
     aspi_cross(spin, arm, u);
     aspi_add_scaled(u, 1, v, u);
   }
-  if (!wall.setup.shapes[held.shape].shape->under(static_cast<int>(rest.face), held.center, u,
-                                                  (1 + GAP) * mover.sphere[held.sphere].radius,
-                                                  ground))
+  if (!wall.setup.shapes[touch.shape].shape->under(static_cast<int>(rest.face), contact.x, u,
+                                                   (1 + GAP) * mover.sphere[touch.sphere].radius,
+                                                   contact, distance))
     return false;
-  held.face = ground.face;
-  aspi_subtract(u, ground.v_wall, u);
-  return fabs(ground.curve) * flight.dt < CURVE * aspi_length(u) || !(fabs(ground.curve) > 0);
-}
-
-/* The contact of a sphere that rests. */
-Touch touch_of(const Flight &flight, const Held &held, const Ground &ground) {
-  Touch touch = Touch();
-  touch.wall = held.wall;
-  touch.shape = held.shape;
-  touch.sphere = held.sphere;
-  touch.before = flight.path;
-  aspi_copy(held.center, touch.before.x);
-  Contact &contact = touch.contact;
-  aspi_copy(held.center, contact.x);
-  aspi_copy(ground.n, contact.n);
-  aspi_copy(ground.n, contact.n_end);
-  aspi_copy(ground.v_wall, contact.v_wall);
-  contact.follow = ground.follow;
-  contact.curve = ground.curve;
-  contact.face = held.face;
-  contact.piece = piece_of(held.face);
-  return touch;
+  aspi_copy(contact.n, contact.n_end);
+  contact.piece = contact.face < 0 ? ~contact.face : contact.face;
+  aspi_subtract(u, contact.v_wall, u);
+  return fabs(contact.curve) * flight.dt < CURVE * aspi_length(u) || !(fabs(contact.curve) > 0);
 }
 
 /* The hold of the valley at a rough wall; where the sphere has come to the next face, it hits that.
- * True where it has: then `touch` is the one. */
-bool meet_face(Flight &flight, const Held &held, const Ground &ground, Touch &touch, double &hold,
-               bool &sticks) {
-  touch = touch_of(flight, held, ground);
+ * True where it has. */
+bool meet_face(Flight &flight, Touch &touch, double &hold, bool &sticks) {
+  const Contact &contact = touch.contact;
   const double v[3] = {flight.begin[0], flight.begin[1], flight.begin[2]};
   Site site(flight, touch, v);
-  site.press = ground.follow + ground.curve - aspi_dot(flight.free, ground.n);
+  site.press = contact.follow + contact.curve - aspi_dot(flight.free, contact.n);
   site.find_face(true);
   hold = site.hold(true);
   if (hold > 0 || !site.moved || !site.graze())
@@ -106,7 +79,7 @@ bool meet_face(Flight &flight, const Held &held, const Ground &ground, Touch &to
 
 /* What holds a mover; the next one uses the same lists. */
 struct Resting {
-  std::vector<Held> held;
+  std::vector<Touch> held;
   std::vector<Support> supports;
 
   /* alpha: the mover's angular acceleration. Changes the flight's velocity and spin to those of the
@@ -134,34 +107,31 @@ bool Resting::find(const Walls &walls, Flight &flight, const double v[3], const 
     const bool rough =
         !rests.empty() && wall->setup.model.wall() && asp_wall_surface(wall->setup.model.wall());
     for (size_t k = 0; k < rests.size(); k++) {
-      Ground ground;
-      Held at;
-      if (!look_under(flight, rests[k], *wall, v, spin, at, ground))
+      Touch at;
+      double distance, hold = 0;
+      bool sticks;
+      if (!look_under(flight, rests[k], *wall, v, spin, at, distance))
         continue;
-      double hold = 0;
-      if (rough) {
-        Touch touch;
-        bool sticks;
-        if (meet_face(flight, at, ground, touch, hold, sticks)) {
-          of.drop_rest(k);
-          mover.members(*wall).ahead.expire(mover.i);
-          if (sticks)
-            stuck = touch;
-          return false;
-        }
+      if (rough && meet_face(flight, at, hold, sticks)) {
+        of.drop_rest(k);
+        mover.members(*wall).ahead.expire(mover.i);
+        if (sticks)
+          stuck = at;
+        return false;
       }
-      const double radius = mover.sphere[at.sphere].radius, off = radius - ground.distance;
+      const Contact &contact = at.contact;
+      const double radius = mover.sphere[at.sphere].radius, off = radius - distance;
       held.push_back(at);
       supports.push_back(
-          support_of(mover, *wall, at.shape, at.sphere, ground.n, ground.v_wall, hold));
+          support_of(mover, *wall, at.shape, at.sphere, contact.n, contact.v_wall, hold));
       Support &support = supports.back();
       aspi_copy(rests[k].push, support.p);
       aspi_scale(flight.dt, support.p);
       const bool counts = off < OVERLAP * radius && fabs(off) > ROUNDED_OFF * radius;
       aspi_add_scaled(support.w,
-                      0.5 * flight.dt * (ground.follow + ground.curve) +
+                      0.5 * flight.dt * (contact.follow + contact.curve) +
                           (counts ? off / flight.dt : 0),
-                      ground.n, support.w);
+                      contact.n, support.w);
       if (!(off < OVERLAP * radius))
         mover.members(*wall).ahead.expire(mover.i);
     }
@@ -170,7 +140,7 @@ bool Resting::find(const Walls &walls, Flight &flight, const double v[3], const 
 }
 
 /* True if a mover leaves a face that does not press it. */
-bool parts(const Flight &flight, const Held &at, const Support &support, const double v[3],
+bool parts(const Flight &flight, const Touch &at, const Support &support, const double v[3],
            const double spin[3]) {
   double u[3];
   if (aspi_dot(support.p, support.n) > 0)
@@ -194,23 +164,16 @@ void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
     rests.clear();
     for (size_t k = 0; k < held.size(); k++) {
       const Support &support = supports[k];
-      double turned[3];
       if (held[k].wall != wall || parts(flight, held[k], support, v, spin))
         continue;
-      if (support.hold > 0 && !mover.is_ball)
-        mover.twist(support.arm, support.p, turned);
       rests.push_back(Rest());
       Rest &rest = rests.back();
       rest.sphere = static_cast<double>(mover.sphere[held[k].sphere].tag);
       rest.shape = static_cast<double>(held[k].shape) + 1;
-      rest.face = held[k].face;
+      rest.face = held[k].contact.face;
       aspi_copy(support.p, rest.push);
       aspi_scale(1 / flight.dt, rest.push);
-      ContactLoad load = mover.load(
-          held[k].sphere, piece_of(held[k].face), held[k].center, support.n, flight.path.x,
-          support.p, support.hold > 0 ? (mover.is_ball ? support.turn : turned) : NULL);
-      load.dissipated = mover.mass * slide_work(mover, support, v, spin);
-      wall->books.add_load(held[k].shape, load);
+      add_load(flight, held[k], support, v, spin);
     }
     if (rests.size() < were)
       mover.members(*wall).ahead.expire(mover.i);

@@ -58,7 +58,7 @@ static bool lies_in_valley(const std::vector<FacePlace> &faces, const FacePlace 
   const double steep = aspi_length(along) / (face.start * push);
   if (!(push > 0 && steep < 1))
     return false;
-  if (face.place > 0)
+  if (face.place > AT_BOTTOM)
     energy += push * (face.height * rise_at(face.place, steep) + face.rise);
   return energy < push * face.height * rise_at(0, steep);
 }
@@ -104,7 +104,7 @@ void Site::find_face(bool stays) {
     if (passed > 0)
       aspi_add_scaled(face->at, -passed, along, face->at);
     face->start = face->height = face->rise = 0;
-    face->place = fell ? 1 : 0;
+    face->place = fell ? TO_DRAW : AT_BOTTOM;
   }
   aspi_copy(contact.n, face->normal);
   face->time = now;
@@ -127,7 +127,7 @@ const FacePlace &Site::valley() {
   const asp_valley drawn = asp_wall_valley(law(), &here, u, contact.n, &key);
   face->start = drawn.start;
   face->height = drawn.height;
-  if (face->place > 0) {
+  if (face->place > AT_BOTTOM) {
     face->place = drawn.place;
     face->rise = drawn.rise;
   }

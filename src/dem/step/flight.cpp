@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "contact/vector.h"
-#include "dem/step/body_motion.h"
 
 using namespace asperity;
 
@@ -356,18 +355,25 @@ void Flight::follow_walls() {
   }
 }
 
+void asperity::add_load(const Flight &flight, const Touch &touch, const Support &s,
+                        const double v[3], const double spin[3]) {
+  const Mover &mover = flight.mover;
+  double turned[3];
+  mover.twist(s.arm, s.p, turned);
+  ContactLoad load =
+      mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, flight.path.x, s.p,
+                 s.hold > 0 ? (mover.is_ball ? s.turn : turned) : NULL);
+  load.dissipated = mover.mass * slide_work(mover, s, v, spin);
+  touch.wall->books.add_load(touch.shape, load);
+}
+
 /* Ends the contacts of this place: the walls take their impulses, and remember that the mover rests
  * at them. */
 void Flight::settle() {
   for (size_t k = 0; k < sustained.size(); k++) {
     const Touch &touch = sustained[k].touch;
     const Support &s = supports[k];
-    double turned[3];
-    mover.twist(s.arm, s.p, turned);
-    ContactLoad load = mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, path.x,
-                                  s.p, s.hold > 0 ? (mover.is_ball ? s.turn : turned) : NULL);
-    load.dissipated = mover.mass * slide_work(mover, s, half, spin);
-    touch.wall->books.add_load(touch.shape, load);
+    add_load(*this, touch, s, half, spin);
     aspi_add_scaled(settled, 1, s.p, settled);
     const AtWall at = mover.at(*touch.wall);
     if (at.status() != Status::RESTING)

@@ -1,6 +1,6 @@
 /* One mover on its way through a step. Its path is straight; along it the velocity changes by what
  * acts on it, so that a contact finds the velocity of its own instant. A body turns on its way: its
- * spheres take straight stretches. See step.cpp for a drawing of a step.
+ * spheres take straight stretches. A drawing is in the README of dem.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_FLIGHT_H
@@ -28,12 +28,8 @@ const double TURN = 0.1;
 /* An impact on the way of a mover. */
 struct Event : Impact {
   Stepper *wall;
-  ContactLoad load;
-  size_t sphere;
   double elapsed; /* of the step */
   bool grazes;    /* the mover was resting at the wall */
-  Event(Stepper *at, const ContactLoad &its)
-      : Impact(), wall(at), load(its), sphere(0), elapsed(0), grazes(false) {}
 };
 
 /* A sphere of the mover at a wall. */
@@ -125,6 +121,10 @@ private:
 /* The support of a contact. */
 Support support_of(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
                    const double n[3], const double v_wall[3], double hold);
+
+/* Counts the load of a solved contact, which leaves the mover this velocity and spin. */
+void add_load(const Flight &flight, const Touch &touch, const Support &support, const double v[3],
+              const double spin[3]);
 
 /* A contact, and the face of the rough wall there. */
 struct Site {

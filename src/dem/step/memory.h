@@ -65,10 +65,13 @@ struct FacePlace {
   double at[3];                      /* the contact point at that instant, moving with the wall */
   double normal[3];                  /* of the mean wall, at the last contact */
   double time;                       /* of the last contact */
-  double start, height, place, rise; /* an asp_valley; start 0: not drawn yet; place: 0 at its
-                                        bottom, 1 not drawn yet */
+  double start, height, place, rise; /* an asp_valley; start 0: it is not drawn yet */
   double length;                     /* of the face, where the wall has no lay */
 };
+
+/* FacePlace::place of a sphere that lies at the bottom of its valley, and of one that has fallen
+ * into it, as long as the valley is not drawn. */
+const double AT_BOTTOM = 0, TO_DRAW = 1;
 
 /* A body's axes at the end of a step, from 1. */
 struct Attitude {

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "contact/vector.h"
-#include "dem/step/body_motion.h"
 
 using namespace asperity;
 
@@ -91,32 +90,16 @@ FacePlace &AtWall::new_face() const {
  */
 
 Mover::Mover(const Spheres &s, int which)
-    : i(which), body(NULL), mass(s.mass[i]), is_ball(true), sphere(&own_), count(1), spheres_(&s),
+    : i(which), body(NULL), mass(s.mass[i]), is_ball(true), sphere(&own_), count(1),
       radius_(s.radius[i]) {
   own_ = BodySphere{{0, 0, 0}, s.radius[i], s.type[i], s.mask[i], s.tag_of(i)};
 }
 
 Mover::Mover(const Bodies &bodies, size_t number)
     : i(static_cast<int>(number)), body(&bodies.all[number]), mass(body->mass),
-      sphere(&bodies.spheres[body->first]), count(body->count), spheres_(NULL), view_(),
-      radius_(sphere->radius) {
+      sphere(&bodies.spheres[body->first]), count(body->count), radius_(sphere->radius) {
   is_ball = is_round(*body, *sphere);
   set_axes(body->axes);
-  view_.step = bodies.step;
-  view_.dt = bodies.dt;
-  view_.n = 1;
-  view_.tag_bytes = sizeof sphere->tag;
-  view_.mass = &mass;
-}
-
-const Spheres &Mover::view(size_t k) const {
-  if (!body)
-    return *spheres_;
-  view_.mask = &sphere[k].mask;
-  view_.type = &sphere[k].type;
-  view_.tag = &sphere[k].tag;
-  view_.radius = &sphere[k].radius;
-  return view_;
 }
 
 size_t Mover::number_of(double tag) const {
@@ -229,8 +212,14 @@ asp_body Mover::core_body(const double at[3]) const {
 ContactLoad Mover::load(size_t k, int piece, const double center[3], const double n[3],
                         const double x[3], const double change[3], const double turned[3]) const {
   double lever[3], momentum[3];
-  ContactLoad made(view(k), row(), piece, center, n, change);
+  ContactLoad made = ContactLoad();
   made.particle = body ? -1 : i;
+  made.piece = piece;
+  made.mask = sphere[k].mask;
+  aspi_copy(n, made.n);
+  aspi_add_scaled(center, -sphere[k].radius, n, made.point);
+  aspi_copy(change, made.impulse);
+  aspi_scale(-mass, made.impulse);
   if (!turned)
     return made;
   aspi_subtract(x, made.point, lever);

@@ -71,12 +71,6 @@ public:
   double axes[3][3]; /* now; unit vectors */
   double inverse[6]; /* mass times inverse inertia, now, of a body: xx, yy, zz, xy, xz, yz */
 
-  /* The sphere as one of a list, for its load: which number it has there. */
-  const Spheres &view(size_t k) const;
-  int row() const {
-    return body ? 0 : i;
-  }
-
   Members &members(Stepper &wall) const {
     return body ? wall.bodies : wall.grains;
   }
@@ -120,8 +114,6 @@ public:
 
 private:
   BodySphere own_; /* of a grain */
-  const Spheres *spheres_;
-  mutable Spheres view_;
   double radius_;
 };
 

@@ -1,17 +1,10 @@
 /* One step, and the contacts in it.
  *
- *   t_n                      middle                     t_n+1
- *   |------ half kick ------->|                           |
- *   x_n ------------- drift, x += v dt -------------> x_n+1      the engine: initial_integrate
- *   |<== step_walls, step_bodies: contacts on the way ==> |      post_integrate
- *   |                         |                   forces f_n+1   the engine
- *   |                         |------- half kick ------->|       the engine: final_integrate
- *   |                         |                           |<==   end_walls, end_bodies: rests
- *
- * The engine has moved each mover straight, with the velocity of the middle of the step. A mover
- * that can meet a wall is taken back to t_n and flies through the step: the first contact on its
- * path is an impact, by the wall's law, or is sustained, by Moreau's rule (supports.h); then it
- * goes on with its new velocity, through any number of contacts on any number of walls.
+ * The engine has moved each mover straight, with the velocity of the middle of the step (a drawing
+ * is in the README of dem). A mover that can meet a wall is taken back to the beginning of the step
+ * and flies through it: the first contact on its path is an impact, by the wall's law, or is
+ * sustained, by Moreau's rule (supports.h); then it goes on with its new velocity, through any
+ * number of contacts on any number of walls.
  *
  * One criterion separates impacts from sustained contacts, for every kind of wall and of mover. A
  * contact is sustained if a mover that rebounds at the speed of its approach would be pushed back
@@ -40,7 +33,6 @@
 #include "contact/contact.h"
 #include "contact/vector.h"
 #include "dem/error.h"
-#include "dem/step/body_motion.h"
 #include "dem/text.h"
 
 using namespace asperity;
@@ -238,9 +230,8 @@ asp_particle Site::particle(double lay[3]) {
 
 /* An impact here that is to be counted, without its result. */
 Event Site::event(double hits) const {
-  const double none[3] = {0, 0, 0};
-  Event event(&wall, mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x,
-                                none, NULL));
+  Event event = Event();
+  event.wall = &wall;
   event.shape = touch.shape;
   event.contact = contact;
   aspi_copy(v1, event.v1);
@@ -251,7 +242,9 @@ Event Site::event(double hits) const {
   event.key.wall = wall.setup.key;
   event.key.tag = static_cast<uint64_t>(one.tag);
   event.key.impact = static_cast<uint32_t>(memory.impacts() + hits);
-  event.sphere = touch.sphere;
+  event.mass = mover.mass;
+  event.d_p = 2 * one.radius;
+  event.step = flight.step;
   event.body = mover.body ? mover.body->tag + 1 : 0;
   aspi_copy(arm, event.lever);
   return event;
@@ -537,9 +530,8 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
 }
 
 void asperity::count_events(const Flight &flight) {
-  const Mover &mover = flight.mover;
   for (const Event &event : flight.events)
-    event.wall->books.count(mover.view(event.sphere), mover.row(), event, event.load);
+    event.wall->books.count(event);
 }
 
 void asperity::leave_stuck(const Flight &flight, const Touch &touch, const Spheres &s) {
@@ -759,64 +751,5 @@ void Stepper::reorder(const Spheres &s) {
     if (at.is_kept > 0 && is_in_step)
       aspi_scale(0.5, rows.state[one.i].force); /* the second half of the step is to come */
     at.is_kept = 0;
-  }
-}
-
-Spheres Bodies::bounds() {
-  x_.clear();
-  v_.clear();
-  mask_.clear();
-  tag_.clear();
-  reach_.clear();
-  for (const Body &body : all) {
-    x_.insert(x_.end(), body.x, body.x + 3);
-    v_.insert(v_.end(), body.v, body.v + 3);
-    mask_.push_back(body.mask);
-    tag_.push_back(body.tag);
-    reach_.push_back(body.reach);
-  }
-  return Spheres{step,
-                 dt,
-                 static_cast<int>(all.size()),
-                 mask_.data(),
-                 NULL,
-                 tag_.data(),
-                 8,
-                 x_.data(),
-                 v_.data(),
-                 NULL,
-                 NULL,
-                 NULL,
-                 reach_.data(),
-                 NULL};
-}
-
-void asperity::claim_bodies(const Walls &walls, Bodies &bodies, MPI_Comm world) {
-  std::vector<int64_t> tags;
-  for (Body &body : bodies.all) {
-    body.reach = body.mask = 0;
-    for (size_t k = body.first; k < body.first + body.count; k++) {
-      const BodySphere &one = bodies.spheres[k];
-      body.reach = std::max(body.reach, aspi_length(one.arm) + one.radius);
-      body.mask |= one.mask;
-    }
-    tags.push_back(body.tag);
-  }
-  for (Stepper *wall : walls) {
-    wall->body_rows.claim(tags, world);
-    if (bodies.begins)
-      wall->bodies.begin_run(wall->setup, bodies.bounds());
-    for (size_t b = 0; b < tags.size() && bodies.begins; b++)
-      if (wall->body_rows.is_stuck(static_cast<int>(b))) {
-        const Mover mover(bodies, b);
-        Stuck &at = wall->body_rows.stuck(mover.i);
-        const BodySphere &one = mover.anchor(at);
-        if (!(at.shape >= 1)) { /* it stays where it is before the engine moves it */
-          arm_of(bodies.all[b], one, at.at);
-          aspi_add_scaled(at.at, 1, bodies.all[b].x, at.at);
-          memcpy(at.axes, bodies.all[b].axes, sizeof at.axes);
-        }
-      }
-    wall->bodies.list(bodies.bounds());
   }
 }

@@ -9,7 +9,6 @@
 #include <algorithm>
 
 #include "contact/vector.h"
-#include "dem/step/body_motion.h"
 
 using namespace asperity;
 

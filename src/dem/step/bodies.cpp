@@ -1,0 +1,216 @@
+/* Rigid bodies as engines give them, and their free motion; see bodies.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/step/bodies.h"
+
+#include <math.h>
+#include <string.h>
+#include <algorithm>
+
+#include "contact/vector.h"
+#include "dem/step/mover.h"
+#include "dem/text.h"
+
+using namespace asperity;
+
+Spheres Bodies::bounds() {
+  x_.clear();
+  v_.clear();
+  mask_.clear();
+  tag_.clear();
+  reach_.clear();
+  for (const Body &body : all) {
+    x_.insert(x_.end(), body.x, body.x + 3);
+    v_.insert(v_.end(), body.v, body.v + 3);
+    mask_.push_back(body.mask);
+    tag_.push_back(body.tag);
+    reach_.push_back(body.reach);
+  }
+  Spheres s = Spheres();
+  s.step = step;
+  s.dt = dt;
+  s.n = static_cast<int>(all.size());
+  s.mask = mask_.data();
+  s.tag = tag_.data();
+  s.tag_bytes = 8;
+  s.x = x_.data();
+  s.v = v_.data();
+  s.radius = reach_.data();
+  return s;
+}
+
+void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm world) {
+  std::vector<int64_t> tags;
+  for (Body &body : bodies.all) {
+    body.reach = body.mask = 0;
+    for (size_t k = body.first; k < body.first + body.count; k++) {
+      const BodySphere &one = bodies.spheres[k];
+      body.reach = std::max(body.reach, aspi_length(one.arm) + one.radius);
+      body.mask |= one.mask;
+    }
+    tags.push_back(body.tag);
+  }
+  for (Stepper *wall : walls) {
+    wall->body_rows.claim(tags, world);
+    if (bodies.begins)
+      wall->bodies.begin_run(wall->setup, bodies.bounds());
+    for (size_t b = 0; b < tags.size() && bodies.begins; b++)
+      if (wall->body_rows.is_stuck(static_cast<int>(b))) {
+        const Mover mover(bodies, b);
+        Stuck &at = wall->body_rows.stuck(mover.i);
+        const BodySphere &one = mover.anchor(at);
+        if (!(at.shape >= 1)) { /* it stays where it is before the engine moves it */
+          arm_of(bodies.all[b], one, at.at);
+          aspi_add_scaled(at.at, 1, bodies.all[b].x, at.at);
+          memcpy(at.axes, bodies.all[b].axes, sizeof at.axes);
+        }
+      }
+    wall->bodies.list(bodies.bounds());
+  }
+}
+
+/* ---- free motion -------------------------------------------------------------------------------
+ */
+
+/* A turn is taken in parts of this angle at most, rad. */
+static const double PART = 0.01;
+
+void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
+  const double rate = aspi_length(omega), angle = rate * time;
+  if (!(rate > 0))
+    return;
+  for (int k = 0; k < 3; k++) {
+    double side[3], along = aspi_dot(omega, axes[k]) / (rate * rate);
+    aspi_cross(omega, axes[k], side);
+    for (int d = 0; d < 3; d++)
+      axes[k][d] = axes[k][d] * cos(angle) + side[d] * sin(angle) / rate +
+                   omega[d] * along * (1 - cos(angle));
+  }
+}
+
+void asperity::turn_free(const double inertia[3], const double momentum[3], double time,
+                         double axes[3][3]) {
+  static const int order[5] = {2, 1, 0, 1, 2};
+  double rate = 0;
+  for (int k = 0; k < 3; k++)
+    if (inertia[k] > 0)
+      rate = std::max(rate, fabs(aspi_dot(momentum, axes[k])) / inertia[k]);
+  const double parts = 1 + floor(rate * fabs(time) / PART);
+  for (double part = 0; part < parts; part++)
+    for (int j = 0; j < 5; j++) {
+      const int k = order[j];
+      const double axis[3] = {axes[k][0], axes[k][1], axes[k][2]};
+      if (inertia[k] > 0)
+        turn_by(axis, (j == 2 ? 1 : 0.5) * time / parts * aspi_dot(momentum, axis) / inertia[k],
+                axes);
+    }
+}
+
+void asperity::advance(Body &body, double time) {
+  turn_free(body.inertia, body.angular_momentum, time, body.axes);
+  aspi_add_scaled(body.x, time, body.v, body.x);
+}
+
+void asperity::arm_of(const Body &body, const BodySphere &sphere, double arm[3]) {
+  for (int d = 0; d < 3; d++)
+    arm[d] = sphere.arm[0] * body.axes[0][d] + sphere.arm[1] * body.axes[1][d] +
+             sphere.arm[2] * body.axes[2][d];
+}
+
+void asperity::spin_of(const Body &body, double omega[3]) {
+  for (int d = 0; d < 3; d++)
+    omega[d] = 0;
+  for (int k = 0; k < 3; k++)
+    if (body.inertia[k] > 0)
+      aspi_add_scaled(omega, aspi_dot(body.angular_momentum, body.axes[k]) / body.inertia[k],
+                      body.axes[k], omega);
+}
+
+void asperity::momentum_of(const Body &body, const double omega[3], double momentum[3]) {
+  for (int d = 0; d < 3; d++)
+    momentum[d] = 0;
+  for (int k = 0; k < 3; k++)
+    aspi_add_scaled(momentum, body.inertia[k] * aspi_dot(omega, body.axes[k]), body.axes[k],
+                    momentum);
+}
+
+/* ---- to and from an engine --------------------------------------------------------------------
+ */
+
+void BodySource::set_spheres(std::vector<Found> &found) {
+  std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {
+    return a.first != b.first ? a.first < b.first : a.second.tag < b.second.tag;
+  });
+  bodies_.spheres.clear();
+  for (Body &body : bodies_.all)
+    body.count = 0;
+  for (const Found &one : found) {
+    Body &body = bodies_.all[one.first];
+    if (body.count > 0 && bodies_.spheres.back().tag == one.second.tag)
+      continue;
+    if (body.count++ == 0)
+      body.first = bodies_.spheres.size();
+    bodies_.spheres.push_back(one.second);
+  }
+}
+
+void BodySource::put(bool is_end, MPI_Comm world) {
+  int mine = 0, any_changed;
+  for (size_t b = 0; b < bodies_.all.size(); b++)
+    if (bodies_.all[b].is_changed) {
+      write(b, is_end);
+      mine = 1;
+    }
+  MPI_Allreduce(&mine, &any_changed, 1, MPI_INT, MPI_MAX, world);
+  if (any_changed)
+    set_particles(is_end);
+}
+
+void BodySource::list_deleted(const Memories &rows, MPI_Comm world) {
+  std::vector<double> mine;
+  for (size_t b = 0; b < rows.memory.size(); b++)
+    if (rows.status(static_cast<int>(b)) == Status::TO_DELETE)
+      mine.push_back(name_of(b));
+  deleted_ = gather_for_all(mine, world);
+  std::sort(deleted_.begin(), deleted_.end());
+}
+
+bool BodySource::is_deleted(int i) const {
+  return std::binary_search(deleted_.begin(), deleted_.end(), name_at(i));
+}
+
+/* ---- doubts -----------------------------------------------------------------------------------
+ */
+
+/* A free body whose moments of inertia have the ratio r, and which turns by the angle a in a step,
+ * gains about GAIN (r - 1) a^4 of its energy in that step: 0.4 to 2.6 times that for a triangle, a
+ * disc and rods of 2 to 10 spheres. A gain of MOST in STEPS steps is too much. */
+static const double GAIN = 0.01, MOST = 0.01, STEPS = 1e5;
+
+std::vector<std::string> asperity::doubts_of(const Bodies &bodies, const std::string &remedy,
+                                             size_t saved, MPI_Comm world) {
+  std::vector<std::string> doubts;
+  double mine = 0, gain;
+  for (const Body &body : bodies.all) {
+    double omega[3];
+    const double *moments = body.inertia, least = *std::min_element(moments, moments + 3);
+    spin_of(body, omega);
+    const double angle = aspi_length(omega) * bodies.dt;
+    if (least > 0)
+      mine = std::max(mine, GAIN * (*std::max_element(moments, moments + 3) / least - 1) *
+                                pow(angle, 4) * STEPS);
+  }
+  MPI_Allreduce(&mine, &gain, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (!remedy.empty() && gain > MOST)
+    doubts.push_back(text("bodies turn so far in a step that the engine's rotation adds more than "
+                          "%g %% to the energy of their turning in %g steps; use %s by a factor of "
+                          "%.2g",
+                          100 * MOST, STEPS, remedy.c_str(), pow(gain / MOST, 0.25)));
+  long long here = static_cast<long long>(bodies.all.size()), now;
+  MPI_Allreduce(&here, &now, 1, MPI_LONG_LONG, MPI_SUM, world);
+  if (now < static_cast<long long>(saved))
+    doubts.push_back(text("there are %lld bodies of the %zu in the restart file; the engine has "
+                          "lost the others as it read them",
+                          now, saved));
+  return doubts;
+}
