@@ -62,15 +62,15 @@ void aspi_points_precision(aspi_points *p, const char *written) {
   p->digits = digits > p->digits ? digits : p->digits;
 }
 
-/* The mean step between sorted coordinates without gaps and steps up to `none`; 0 if there is no
- * step. Overwrites the coordinates. */
-static double usual_step(double *at, size_t count, double none) {
+/* The mean step between sorted coordinates, without gaps and repeats; 0 if there is no step.
+ * Overwrites the coordinates. */
+static double usual_step(double *at, size_t count) {
   size_t steps = 0, used = 0;
   double sum = 0, last = at[0];
   for (size_t i = 1; i < count; i++) {
     double step = at[i] - last;
     last = at[i];
-    if (step > none)
+    if (step > 0)
       at[steps++] = step;
   }
   if (steps == 0)
@@ -205,7 +205,7 @@ static asp_code resample(aspi_points *p, const char *path, bool allowed, aspi_ra
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu points", p->count);
   for (size_t i = 0; i < p->count; i++)
     at[i] = p->list[i].x;
-  raw->step[0] = usual_step(at, p->count, 0);
+  raw->step[0] = usual_step(at, p->count);
   free(at);
   if (range / raw->step[0] > 2 * (double)p->count)
     return aspi_fail(error, ASP_EDATA,
@@ -244,13 +244,27 @@ typedef struct grid {
   size_t count;
 } grid;
 
+/* Sorted coordinates that are rounded from one become their mean; how many there are then. */
+static size_t merge_near(double *at, size_t count) {
+  double near = GRID_PART * (at[count - 1] - at[0]) / sqrt((double)count);
+  size_t kept = 0;
+  for (size_t i = 0; i < count;) {
+    size_t first = i;
+    double sum = 0, last = at[i];
+    for (; i < count && at[i] - last <= near; i++)
+      sum += last = at[i];
+    at[kept++] = sum / (double)(i - first);
+  }
+  return kept;
+}
+
 /* `room` is for all coordinates. */
 static bool find_grid(const aspi_points *p, bool along_y, double *room, grid *g) {
   for (size_t i = 0; i < p->count; i++)
     room[i] = along_y ? p->list[i].y : p->list[i].x;
   gsl_sort(room, 1, p->count);
-  double first = room[0], range = room[p->count - 1] - first;
-  double step = usual_step(room, p->count, GRID_PART * range / sqrt((double)p->count));
+  size_t lines = merge_near(room, p->count);
+  double first = room[0], range = room[lines - 1] - first, step = usual_step(room, lines);
   if (!(step > 0))
     return false;
   double steps = round(range / step);
