@@ -119,15 +119,10 @@ done
 # Bad usage.
 refuses 2 "no number of the description is 'fit'" "surface sigma fit" -- calibrate data $ard
 refuses 2 "'materials' is missing" "materials quartz" -- calibrate data surface sigma fit friction fit
-refuses 2 "'fricton'" "did you mean 'friction'" -- calibrate data surface sigma fit fricton fit $ard
-refuses 2 "'friction' is given twice" -- calibrate data friction fit friction fit $ard
-refuses 2 "'rq fit=VALUE'" "m cm mm um nm" -- calibrate data surface rq fit lambda_c 40um $ard
-refuses 2 "'friction' has no effect on impacts with rebound constant" -- calibrate data rebound constant 0.5 0.5 friction fit
 refuses 2 "spread is 'traced'" "visible" -- calibrate data surface sigma fit spread traced $ard
 refuses 2 "yield_rate is 'fit'" "fit=VALUE" "Pa/(m/s)" -- calibrate data rebound bons yield_rate fit $ard
 refuses 2 "DATA is expected" -- calibrate --dp 5um
 refuses 2 "not expected behind an option" -- calibrate data --dp 5um surface sigma fit
-refuses 2 "sigma is 'fit'" -- cor surface sigma fit
 refuses 2 "--noise is '1,2,3,4'" -- calibrate data surface sigma fit $ard --noise 1,2,3,4
 printf 'alpha1_deg,cor_n_mean\n30,0.5\n' > one
 refuses 2 "1 moments for 2 unknowns" -- calibrate one surface sigma fit friction fit $ard

@@ -34,17 +34,13 @@ sed 's/^tag,/mass,/; s/^[0-9]*,/light,/' ledger > light
 
 # What a ledger, or the description, lacks.
 refuses 2 "'eroded_mass' is missing" "'columns full'" -- erosion ledger
-refuses 2 "'oka' belongs behind 'erosion'" -- erosion ledger oka 1.8GPa
 awk '!n++ { print "# asperity 1.0.0; fix wall wall/rebound; units lj; surface smooth" } { print }' ledger > lj
 refuses 2 "which have no size in SI" -- erosion lj erosion dnv density 7800 --density 2500
 refuses 2 "no column 'mass'" "--density" -- erosion ledger erosion dnv density 7800
-refuses 2 "'alpha1' is missing" -- erosion many erosion dnv density 7800
 cut -d, -f2- many > no_mesh; sed -i 's/^mesh/of/' no_mesh
 refuses 2 "'mesh' is missing" -- erosion no_mesh
 sed '1s/ erosion dnv face mean//' many > unworn
 refuses 2 "no 'erosion'" -- erosion unworn
-printf 'mesh,triangle,eroded_mass\n1,2,\n' > empty
-refuses 2 "empty:2" "eroded_mass" -- erosion empty
 refuses 2 "face is 'tilted'" "eroded_mass" -- erosion ledger erosion dnv density 7800 face tilted --density 2500
 refuses 2 "'erosion LAW' is expected" -- erosion ledger materials quartz steel
 refuses 2 "'surface' has no effect" -- erosion ledger surface sigma 5 erosion dnv density 7800 --density 2500

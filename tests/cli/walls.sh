@@ -62,7 +62,6 @@ for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map 
 done
 grep -q '# description, .* surface map map spread traced ' fit || die "calibrate surface map: the description: $(cat fit)"
 
-refuses 2 "'surface' is missing" -- trade --dp 5um
 refuses 2 "'traced' has no density" -- spread surface map map --dp 5um --pdf
 refuses 2 "'lay' is given" "plane of incidence" -- trade surface rq 5um lambda_c 40um 80um lay 90 --dp 5um
 refuses 2 "'surface map' is given" -- trade surface map map --dp 5um
