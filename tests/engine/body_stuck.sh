@@ -24,7 +24,8 @@ for ranks in 1 2 4; do
   fall freeze $ranks
   read -r _ atoms ke re deposits mass fx fz v < <(last freeze.in.screen)
   [ "$atoms" = 400 ] && [ "$deposits" = 200 ] && [ "$ke" = 0 ] && [ "$re" = 0 ] && [ "$v" = 0 ] || die "freeze on $ranks ranks: $(last freeze.in.screen)"
-  awk -v m="$mass" -v x="$fx" -v z="$fz" 'BEGIN { w = m * 9.81 / sqrt(1.04); x -= 0.2 * w; z += w; exit x ^ 2 > (1e-6 * w) ^ 2 || z ^ 2 > (1e-6 * w) ^ 2 }' || die "weight on $ranks ranks: $fx $fz of $mass"
+  table "w = $mass * 9.81 / sqrt(1.04)
+assert abs($fx - 0.2 * w) < 1e-6 * w and abs($fz + w) < 1e-6 * w" || die "weight on $ranks ranks: $fx $fz of $mass"
   [ -z "$(cut -d, -f 40 "freeze.$ranks" | sort | uniq -d)" ] || die "a body sticks twice on $ranks ranks"
   fall delete $ranks
   read -r _ atoms _ _ deposits other _ < <(last delete.in.screen)
@@ -62,46 +63,24 @@ awk -v k="$ke" 'BEGIN { exit !(k > 0) }' || die "deposit off holds bodies: $(las
 
 # Held bodies move and turn with their walls: after a whole turn all spheres are where they were, after half of one on
 # the other side of the axis.
-cat > plate.stl << 'END'
-solid plate
-facet normal 0 0 1
-outer loop
-vertex -0.04 -0.04 -0.02
-vertex 0.04 -0.04 -0.02
-vertex 0.04 0.04 -0.02
-endloop
-endfacet
-facet normal 0 0 1
-outer loop
-vertex -0.04 -0.04 -0.02
-vertex 0.04 0.04 -0.02
-vertex -0.04 0.04 -0.02
-endloop
-endfacet
-endsolid plate
-END
+stl <<< "-0.04 -0.04 -0.02  0.04 -0.04 -0.02  0.04 0.04 -0.02  -0.04 0.04 -0.02" > plate.stl
 wide=0.012 heights="-0.011 0.012" poured 100 inner.bin
-turns() { # NAME GEOMETRY EXPRESSION of awk: the square of the distance between a sphere's places half a turn apart, as turned
+turns() { # NAME GEOMETRY SIGNS of each place about (0, 0, Z) half a turn later, and Z
   { from_restart inner.bin
     echo "fix plate all mesh/surface file plate.stl type 1
 fix turn all move/mesh mesh plate rotate origin 0 0 -0.02 axis 0 0 1 period 0.01
 fix floor all wall/rebound $2 rebound constant 0 0 deposit freeze
 timestep 2e-5
-run 2100
-thermo_style custom step atoms c_ke f_floor[2]
-write_dump all custom $1.begin id x y z modify sort id format \"%d %.14g %.14g %.14g\"
-run 250
-write_dump all custom $1.half id x y z modify sort id format \"%d %.14g %.14g %.14g\"
-run 250
-write_dump all custom $1.end id x y z modify sort id format \"%d %.14g %.14g %.14g\""; } > $1.in
+run 2000
+thermo_style custom step f_floor[2]
+$(pictures 250 $1.txt "x y z")
+run 750"; } > $1.in
   engine 2 $1.in
-  [ "$(last $1.in.screen | awk '{ print $4 }')" = 100 ] || die "$1: $(last $1.in.screen)"
-  for at in begin half end; do sed '1,/^ITEM: ATOMS/d' $1.$at; done | awk -v n=200 "
-    { x[NR] = \$2; y[NR] = \$3; z[NR] = \$4 }
-    END { for (i = 1; i <= n; i++) { h = i + n; e = h + n
-        d = (x[e] - x[i]) ^ 2 + (y[e] - y[i]) ^ 2 + (z[e] - z[i]) ^ 2; if (d > most) most = d
-        d = $3; if (d > most) most = d }
-      exit !(NR == 3 * n && most < 1e-22) }" || die "$1: held bodies do not turn with the wall"
+  table a=$1.txt log=$1.in.screen "assert log[-1][1] == 100
+begin, half, end = (at(a, step) for step in sorted({row.step for row in a})[-3:])
+assert len(end) == 200
+for x, y, z in zip(begin, half, end):
+    assert dist(x[1:4], z[1:4]) < 1e-11 and dist([s * p for s, p in zip(($3), x[1:4])], y[1:4]) < 1e-11, (x, y, z)" || die "$1: held bodies do not turn with the wall"
 }
-turns mesh "mesh n_meshes 1 meshes plate" "(x[h] + x[i]) ^ 2 + (y[h] + y[i]) ^ 2 + (z[h] - z[i]) ^ 2"
-turns drum "primitive type 1 ycylinder 0.0195 0 0 shear x 628.31853071795865" "(x[h] + x[i]) ^ 2 + (y[h] - y[i]) ^ 2 + (z[h] + z[i]) ^ 2"
+turns mesh "mesh n_meshes 1 meshes plate" "-1, -1, 1"
+turns drum "primitive type 1 ycylinder 0.0195 0 0 shear x 628.31853071795865" "-1, 1, -1"

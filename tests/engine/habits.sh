@@ -3,20 +3,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
 use lammps
-lammps() { # RANKS SCRIPT: a script in LAMMPS's own language
-  timeout 100 mpirun -np "$1" "$bin/lammps-asperity" -in "$2" -log none < /dev/null > "$2.screen" 2>&1 ||
-    { grep -a ERROR "$2.screen" >&2 || tail -n 3 "$2.screen" >&2; die "$2 on $1 ranks"; }
-}
+program=$bin/lammps-asperity
 plate 2 1 2e-3 > plate.stl
-head=$(cat << 'END'
-units si
+scene="units si
 atom_style sphere
 boundary f f f
 newton off
 comm_modify vel yes
-END
-)
-scene="$head
 region box block -0.003 0.003 -0.003 0.003 -0.003 0.003 units box
 create_box 2 box
 neighbor 2e-5 bin
@@ -44,17 +37,13 @@ dump_modify rows sort id
 run 150
 END
 for ranks in 1 2; do
-  lammps $ranks atoms.in
+  engine $ranks atoms.in
   [ "$(tail -n 2 rows.txt | tr -s ' \n' ' ;')" = "1 1 1 0;2 0 0 0;" ] || { tail -n 2 rows.txt; die "numbers of each atom"; }
   grep -Eq '^ +150 +1 +1 +1 +1 +1 *$' atoms.in.screen || die "their maxima and the counters: $(grep -E '^ +150 ' atoms.in.screen)"
 done
 
-refuses() { # LINE WORD...: a line behind the scene ends the run with one error that says these words
-  printf '%s\n%s\nrun 1\n' "$scene" "$1" > refused.in; shift
-  if timeout 60 "$bin/lammps-asperity" -in refused.in -log none < /dev/null > refused.in.screen 2>&1; then die "not refused: $*"; fi
-  for word in "$@"; do grep '^ERROR' refused.in.screen | grep -qF -- "$word" || { tail -n 3 refused.in.screen; die "no word of '$word'"; }; done
-}
 # Planes in the words of fix wall/gran.
 for second in NULL 100; do
-  refuses "fix wall all wall/rebound zplane 0 $second rebound constant 1 1" "'$second' stands behind 'zplane 0 type 2'" "a fix of its own"
+  printf '%s\n' "$scene" "fix wall all wall/rebound zplane 0 $second rebound constant 1 1" "run 1" > refused.in
+  refuses 1 refused.in "'$second' stands behind 'zplane 0 type 2'" "a fix of its own"
 done
