@@ -64,19 +64,17 @@ fix wall all wall/rebound mesh n_meshes 1 meshes plate rebound constant 1 1 depo
 fix move all nve/sphere
 timestep $step
 thermo 100000
-dump at all custom $((40 << halvings)) at.txt id vx vz
-dump_modify at sort id format \"%d %.17g %.17g\"
+$(pictures $((40 << halvings)) at.txt "vx vz")
 run $((40 << halvings))"; } > halving.in
-    rm -f rows.csv
     engine $((1 + halvings % 2)) halving.in
-    rows rows.csv | awk -F, '$2 == 1 { print $1, $3 }' | sort -n > first
-    tail -n 400 at.txt | paste -d' ' exact first - | awk -v rows="$(count_rows rows.csv)" '
-      { if ($1 != $5 || $1 != $7) bad = 1
-        t += ($2 - $6) ^ 2; v += ($3 - $8) ^ 2 + ($4 - $9) ^ 2 }
-      END { if (bad || NR != 400 || rows != 400) exit 1; print sqrt(t / NR), sqrt(v / NR) }' >> errors ||
-      { paste -d' ' exact first | head -n 3; die "$motion: $(count_rows rows.csv) impacts of 400 grains at a step of $step"; }
+    table exact=exact rows=rows.csv a=at.txt 'rows = sorted(rows, key=lambda row: row.tag)
+last = a[-400:]
+assert len(rows) == len(exact) == 400 and all(x[0] == y.tag == z.id for x, y, z in zip(exact, rows, last))
+print(sqrt(mean((x[1] - y.time) ** 2 for x, y in zip(exact, rows))), sqrt(mean(dist(x[2:4], z[1:3]) ** 2 for x, z in zip(exact, last))))' > error ||
+      { cat error; die "$motion: impacts at a step of $step"; }
+    cat error >> errors
   done
-  awk -v motion="${motion%% *}" '{ if (NR > 1) ratios = ratios sprintf(" %.3f %.3f", t / $1, v / $2); t = $1; v = $2 } NR == 1 { print motion ": errors of instants and speeds " t " s, " v " m/s" }
-    END { print "a quarter at each halving:" ratios; n = split(ratios, q, " "); for (k = 1; k <= n; k++) if (!(q[k] > 3.5 && q[k] < 4.5)) exit 1 }' errors ||
-    { cat errors; die "$motion: not of second order in the step"; }
+  table a=errors 'for coarse, fine in zip(a, a[1:]): # a quarter at each halving
+    assert all(3.5 < x / y < 4.5 for x, y in zip(coarse, fine)), (coarse, fine)
+assert len(a) == 6' || die "$motion: not of second order in the step"
 done
