@@ -125,7 +125,7 @@ Head check_head(const char *bytes, size_t available) {
   if (memcmp(head.magic, MAGIC, sizeof MAGIC) != 0)
     fail("does not begin as one: it is damaged, or of a version that had no number yet");
   if (checksum(&head, offsetof(Head, sum_of_head)) != head.sum_of_head)
-    damaged("its head");
+    damaged("its head, or it is of another version");
   if (head.version != VERSION)
     fail("is of version " + std::to_string(head.version) + "; it must be of version " +
          std::to_string(VERSION));
