@@ -11,11 +11,8 @@
 #include "asperity_internal.h"
 #include "random.h"
 #include "rebound/laws.h"
-#include "spread/models.h"
 
 #include <float.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -240,94 +237,10 @@ static int print(const char *name, const table *t, double allowed) {
   return bad;
 }
 
-/* Models' distributions against their densities by quadrature, sigma 1e-3 to 50 degrees. */
-typedef struct model_at {
-  const asp_spread_model *model;
-  aspi_view view;
-} model_at;
-
-static double density_of(double delta, void *at) {
-  const model_at *m = at;
-  return m->model->density(&m->view, delta);
-}
-
-static double worst_distribution(const asp_spread_model *model, aspi_stream *s, int count) {
-  gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
-  double worst = 0;
-  for (int i = 0; i < count; i++) {
-    model_at at = {model, aspi_view_of(ASP_PI / 180 * power_of_ten(s, -3, 1.7),
-                                       ASP_PI / 180 * between(s, 0.5, 90))};
-    double u = between(s, 0.05, 0.95), v = between(s, 0.05, 0.95), sum, error;
-    double a = model->quantile(&at.view, u), b = model->quantile(&at.view, v);
-    gsl_function f = {density_of, &at};
-    gsl_integration_qag(&f, a, b, 0, 1e-12, 1000, GSL_INTEG_GAUSS31, room, &sum, &error);
-    worst = fmax(worst, fabs(sum - (v - u)));
-  }
-  gsl_integration_workspace_free(room);
-  return worst;
-}
-
-/* x^n phi(x)(1 + x/a) of `visible`, without its norm. */
-typedef struct moment {
-  double a;
-  int n;
-} moment;
-
-static double moment_at(double x, void *of) {
-  const moment *m = of;
-  return pow(x, m->n) * exp(-0.5 * x * x) * (1 + x / m->a);
-}
-
-static double integral(moment m, double from, double to) {
-  gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
-  gsl_function f = {moment_at, &m};
-  double sum, error;
-  gsl_integration_qag(&f, from, to, 0, 1e-12, 1000, GSL_INTEG_GAUSS31, room, &sum, &error);
-  gsl_integration_workspace_free(room);
-  return sum;
-}
-
-/* First hits of impacts on a wall with `visible`, against quadrature, in standard errors of the
- * sampling: the mean and the mean square of x = tan(delta)/s_eff, and D_KL of 50 bins. */
-static void sample_visible(double degrees, uint32_t seed, int count) {
-  enum { BINS = 50 };
-  asp_wall *wall =
-      asp_wall_from_text("surface sigma 10 spread visible plane rebound constant 1 1", 1, 1, NULL);
-  double a = tan(degrees * ASP_PI / 180) / tan(ASP_PI / 18), low = fmax(-a, -10), high = 10;
-  double first = fmax(-a, -4), width = (4 - first) / BINS, seen[BINS + 2] = {0}, sum[2] = {0, 0};
-  double whole = integral((moment){a, 0}, low, high), m[5], kl = 0;
-  for (int k = 1; k <= 4; k++)
-    m[k] = integral((moment){a, k}, low, high) / whole;
-  const double angle = degrees * ASP_PI / 180, v1[3] = {cos(angle), 0, -sin(angle)},
-               n[3] = {0, 0, 1};
-  const asp_particle particle = {.d_p = 1, .density = 1};
-  for (int i = 0; i < count; i++) {
-    asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, n, &(asp_key){seed, 1, (uint64_t)i, 1}, &impact);
-    double x = tan(impact.delta_alpha) / tan(ASP_PI / 18);
-    sum[0] += x / count;
-    sum[1] += x * x / count;
-    seen[(int)fmin(fmax(floor((x - first) / width) + 1, 0), BINS + 1)] += 1;
-  }
-  int bins = 0;
-  for (int b = 0; b < BINS + 2; b++) {
-    double from = b ? first + (b - 1) * width : low, to = b > BINS ? high : first + b * width;
-    double p = to > from ? integral((moment){a, 0}, from, to) / whole : 0, f = seen[b] / count;
-    bins += p > 0;
-    kl += f > 0 ? f * log(f / p) : 0;
-  }
-  double bias = (bins - 1) / 2. / count;
-  printf("%g,%.2f,%.2f,%.2g,%.2f\n", degrees, (sum[0] - m[1]) / sqrt((m[2] - m[1] * m[1]) / count),
-         (sum[1] - m[2]) / sqrt((m[4] - m[2] * m[2]) / count), kl - bias,
-         (kl - bias) / (bias * sqrt(2. / (bins - 1))));
-  asp_wall_free(wall);
-}
-
 int main(int argc, char **argv) {
   long count = argc > 1 ? atol(argv[1]) : 200000;
   uint32_t seed = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
   table normal = {0}, tangential = {0}, plastic = {0};
-  gsl_set_error_handler_off();
   measure(seed, count, &normal, &tangential);
   printf("# bons against long double: %ld hits, seed %u\n", count, seed);
   puts("quantity,distance_at_least,hits,worst_relative_error,ulps,wrong_captures");
@@ -335,16 +248,5 @@ int main(int argc, char **argv) {
   measure_thornton_ning(seed, count / 10, &plastic);
   printf("# thornton_ning against long double: %ld hits, seed %u\n", count / 10, seed);
   bad += print("v_n2", &plastic, 2e-13);
-  puts("# spread models: quantile and density by quadrature\nmodel,worst_error_of_distribution");
-  aspi_stream s = aspi_stream_begin(&(asp_key){seed, 4, 0, 0});
-  for (int i = 0; i < asp_spread_count(); i++) {
-    const asp_spread_model *model = asp_spread_at(i);
-    if (model->density && model->quantile && !model->prepare)
-      printf("%s,%.3g\n", model->name, worst_distribution(model, &s, 500));
-  }
-  puts("# visible: first hits by quadrature, in standard errors\n"
-       "alpha1_deg,mean_off,square_off,kl,kl_off");
-  for (int k = 0; k < 9; k++)
-    sample_visible((double[]){0.5, 1, 2, 5, 10, 20, 45, 70, 89}[k], seed, (int)count);
   return bad ? 1 : 0;
 }
