@@ -64,33 +64,22 @@ static double brute_distance(const ContactTriangle *t, const double x[3]) {
   return best;
 }
 
-static double plane_gap(const ContactPlane *plane, const double x[3], double radius) {
-  return fabs(x[plane->axis] - plane->at) - radius;
-}
-
-static double cylinder_gap(const ContactCylinder *c, const double x[3], double radius) {
-  double arm[3];
-  aspi_subtract(x, c->center, arm);
-  arm[c->axis] = 0;
-  return fabs(aspi_length(arm) - c->radius) - radius;
-}
-
-static double triangle_gap(const ContactTriangle *t, const double x[3], double radius) {
-  double nearest[3];
-  return aspi_triangle_nearest(t, x, nearest) - radius;
-}
-
 typedef struct Wall {
-  enum { PLANE, CYLINDER, TRIANGLE } kind;
+  enum { PLANE, CYLINDER, TRIANGLE, TWO_NODES, LINE } kind; /* the last: degenerate triangles */
   ContactPlane plane;
   ContactCylinder cylinder;
   ContactTriangle triangle;
 } Wall;
 
 static double gap_of(const Wall *w, const double x[3], double radius) {
-  return w->kind == PLANE      ? plane_gap(&w->plane, x, radius)
-         : w->kind == CYLINDER ? cylinder_gap(&w->cylinder, x, radius)
-                               : triangle_gap(&w->triangle, x, radius);
+  double arm[3];
+  if (w->kind == PLANE)
+    return fabs(x[w->plane.axis] - w->plane.at) - radius;
+  if (w->kind != CYLINDER)
+    return aspi_triangle_nearest(&w->triangle, x, arm) - radius;
+  aspi_subtract(x, w->cylinder.center, arm);
+  arm[w->cylinder.axis] = 0;
+  return fabs(aspi_length(arm) - w->cylinder.radius) - radius;
 }
 
 static bool find(const Wall *w, const ContactPath *path, double radius, double latest,
@@ -109,6 +98,11 @@ static void random_wall(int kind, Wall *w) {
   w->cylinder.radius = uniform(0.5, 2);
   for (int k = 0; k < 3; k++)
     random_vector(1.5, w->triangle.node[k]);
+  double(*node)[3] = w->triangle.node;
+  if (kind == TWO_NODES)
+    aspi_copy(node[0], node[2]);
+  for (int d = 0; d < 3 && kind == LINE; d++)
+    node[2][d] = 0.3 * node[0][d] + 0.7 * node[1][d];
 }
 
 /* From a place without an overlap: there is a contact where the sampled gap first falls below zero,
@@ -144,9 +138,9 @@ static void check_path(const Wall *w, const ContactPath *path, double radius) {
   assert_true(fabs(gap_of(w, foot, 0)) < 1e-7);
 }
 
+/* A degenerate triangle is its edges. */
 static void test_paths(void **unused) {
-  (void)unused;
-  for (int kind = PLANE; kind <= TRIANGLE; kind++)
+  for (int kind = PLANE; kind <= LINE; kind++)
     for (int i = 0; i < CASES;) {
       Wall w;
       ContactPath path;
@@ -164,7 +158,6 @@ static void test_paths(void **unused) {
 
 /* Paths that graze an edge or a corner: the contact is missed or met, but never late. */
 static void test_grazing(void **unused) {
-  (void)unused;
   for (int i = 0; i < CASES; i++) {
     Wall w;
     ContactPath path;
@@ -191,16 +184,10 @@ static void test_grazing(void **unused) {
 }
 
 static void test_nearest(void **unused) {
-  (void)unused;
   for (int i = 0; i < 300; i++) {
     Wall w;
     double x[3], nearest[3];
-    random_wall(TRIANGLE, &w);
-    if (i % 3 == 1) /* two nodes in one place */
-      aspi_copy(w.triangle.node[0], w.triangle.node[1]);
-    if (i % 3 == 2) /* three in a line */
-      for (int d = 0; d < 3; d++)
-        w.triangle.node[2][d] = 0.3 * w.triangle.node[0][d] + 0.7 * w.triangle.node[1][d];
+    random_wall(TRIANGLE + i % 3, &w);
     random_vector(2, x);
     const double distance = aspi_triangle_nearest(&w.triangle, x, nearest);
     assert_true(fabs(distance - brute_distance(&w.triangle, x)) < 1e-5);
@@ -211,32 +198,8 @@ static void test_nearest(void **unused) {
   }
 }
 
-/* A degenerate triangle is its edges: contacts with it are those with its longest one. */
-static void test_degenerate(void **unused) {
-  (void)unused;
-  for (int i = 0; i < CASES;) {
-    Wall w;
-    ContactPath path;
-    const double radius = uniform(0.05, 0.3);
-    random_wall(TRIANGLE, &w);
-    if (i % 2)
-      aspi_copy(w.triangle.node[0], w.triangle.node[2]);
-    else
-      for (int d = 0; d < 3; d++)
-        w.triangle.node[2][d] = 0.5 * (w.triangle.node[0][d] + w.triangle.node[1][d]);
-    random_vector(2, path.x);
-    random_vector(3, path.v);
-    path.left = 1;
-    if (gap_of(&w, path.x, radius) < 1e-6)
-      continue;
-    check_path(&w, &path, radius);
-    i++;
-  }
-}
-
 /* What overlaps already: an approach touches at once and is moved out; what leaves is let go. */
 static void test_overlap(void **unused) {
-  (void)unused;
   for (int kind = PLANE; kind <= TRIANGLE; kind++)
     for (int i = 0; i < CASES;) {
       Wall w;
@@ -266,46 +229,40 @@ static void test_overlap(void **unused) {
     }
 }
 
+/* A plane, or a triangle in it. */
+static Wall flat_wall(int kind) {
+  return (Wall){.kind = kind, .plane = {2, 0}, .triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}}};
+}
+
 /* A center on the wall goes back to the side that it comes from. */
 static void test_centered(void **unused) {
-  (void)unused;
-  const ContactTriangle triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}};
-  const ContactPlane plane = {2, 0};
-  for (int side = -1; side <= 1; side += 2) {
-    const ContactPath path = {{0, 0, 0}, {1, 0.5, 2.0 * side}, 1};
+  for (int k = 0; k < 4; k++) {
+    const double side = k % 2 ? 1 : -1;
+    const Wall w = flat_wall(k < 2 ? PLANE : TRIANGLE);
+    const ContactPath path = {{0, 0, 0}, {1, 0.5, 2 * side}, 1};
     ContactTouch touch;
-    assert_true(aspi_triangle_find(&triangle, &path, 0.1, 1, &touch));
-    assert_true(touch.overlapped && touch.n[2] * side < 0);
-    assert_true(aspi_plane_find(&plane, &path, 0.1, 1, &touch));
+    assert_true(find(&w, &path, 0.1, 1, &touch));
     assert_true(touch.overlapped && touch.n[2] * side < 0);
   }
 }
 
 /* At rest, or along the wall, there is none; nor behind the latest time. */
 static void test_none(void **unused) {
-  (void)unused;
-  const ContactTriangle triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}};
-  const ContactPlane plane = {2, 0};
-  ContactPath path = {{0, 0, 0.1}, {0, 0, 0}, 1};
-  ContactTouch touch;
-  assert_false(aspi_triangle_find(&triangle, &path, 0.1, 1, &touch));
-  assert_false(aspi_plane_find(&plane, &path, 0.1, 1, &touch));
-  path.v[0] = 5;
-  assert_false(aspi_triangle_find(&triangle, &path, 0.1, 1, &touch));
-  assert_false(aspi_plane_find(&plane, &path, 0.1, 1, &touch));
-  path.x[2] = 1.1;
-  path.v[2] = -1;
-  path.left = 3;
-  assert_false(aspi_plane_find(&plane, &path, 0.1, 0.99, &touch));
-  assert_true(aspi_plane_find(&plane, &path, 0.1, 1.01, &touch));
-  path.v[0] = 0;
-  assert_false(aspi_triangle_find(&triangle, &path, 0.1, 0.99, &touch));
-  assert_true(aspi_triangle_find(&triangle, &path, 0.1, 1.01, &touch));
+  for (int k = 0; k < 2; k++) {
+    const Wall w = flat_wall(k ? PLANE : TRIANGLE);
+    const ContactPath down = {{0, 0, 1.1}, {k ? 5 : 0, 0, -1}, 3};
+    ContactPath path = {{0, 0, 0.1}, {0, 0, 0}, 1};
+    ContactTouch touch;
+    assert_false(find(&w, &path, 0.1, 1, &touch));
+    path.v[0] = 5;
+    assert_false(find(&w, &path, 0.1, 1, &touch));
+    assert_false(find(&w, &down, 0.1, 0.99, &touch));
+    assert_true(find(&w, &down, 0.1, 1.01, &touch));
+  }
 }
 
 /* A sphere wider than its cylinder is put back on the axis at the end of its path. */
 static void test_wide(void **unused) {
-  (void)unused;
   const ContactCylinder tube = {0, {0, 0, 0}, 1};
   const ContactPath path = {{0, 0.5, 0.1}, {1, -1, 0}, 2};
   ContactTouch touch;
@@ -319,7 +276,6 @@ static void test_wide(void **unused) {
 /* A sphere that touches the inside and slides along it touches at time 0, also where rounding turns
  * it inward a little; one that turns inward more flies to the other side. */
 static void test_sliding(void **unused) {
-  (void)unused;
   const ContactCylinder tube = {2, {0, 0, 0}, 5};
   const double inward[] = {0, 5e-7, 1e-3};
   for (int k = 0; k < 3; k++) {
@@ -329,6 +285,12 @@ static void test_sliding(void **unused) {
     assert_true(k < 2 ? !(touch.time > 0) : fabs(touch.time - 3 * inward[k]) < 1e-8);
     assert_false(touch.overlapped);
   }
+}
+
+/* How far the box of a triangle is from a point, along one axis. */
+static double off_box(const ContactTriangle *t, const double x[3], int d) {
+  const double a = t->node[0][d], b = t->node[1][d], c = t->node[2][d];
+  return fmax(0, fmax(fmin(a, fmin(b, c)) - x[d], x[d] - fmax(a, fmax(b, c))));
 }
 
 /* It is clear until the predicted time, which is not much too early: the sphere is then
@@ -357,8 +319,7 @@ static void check_clear(const ContactTree *tree, int round) {
     const ContactTriangle *t = aspi_tree_triangle(tree, (int)i);
     bool meets = true;
     for (int d = 0; d < 3; d++)
-      meets = meets && fmax(t->node[0][d], fmax(t->node[1][d], t->node[2][d])) >= x[d] - wide &&
-              fmin(t->node[0][d], fmin(t->node[1][d], t->node[2][d])) <= x[d] + wide;
+      meets = meets && off_box(t, x, d) <= wide;
     aspi_triangle_normal(t, n);
     aspi_subtract(x, t->node[0], arm);
     there = there || (meets && fabs(aspi_dot(n, arm)) <= wide);
@@ -369,7 +330,6 @@ static void check_clear(const ContactTree *tree, int round) {
 /* What flies along a triangle that is aslant to the axes, or past one of its edges, is clear of it
  * for all of its way, though within its box. */
 static void test_along(void **unused) {
-  (void)unused;
   const ContactTriangle triangle = {{{0, 0, 0}, {3, 1, 2}, {-1, 4, 3}}};
   const int id = 0;
   ContactTree *tree = aspi_tree_create(&triangle, &id, 1);
@@ -398,7 +358,6 @@ static void test_along(void **unused) {
 }
 
 static void test_tree(void **unused) {
-  (void)unused;
   for (int count = 0; count <= 3000; count = 3 * count + 1) {
     ContactTriangle *triangles = calloc((size_t)count + 1, sizeof *triangles);
     int *id = calloc((size_t)count + 1, sizeof *id);
@@ -436,12 +395,13 @@ static void test_tree(void **unused) {
     assert_int_equal(aspi_tree_place(tree, -2147483647), -1);
     ContactList list = {0};
     for (int round = 0; round < 50; round++) {
-      double x[3], lo[3], hi[3], nearest[3], least = 2;
+      double x[3], lo[3], hi[3], middle[3], nearest[3], least = 2;
       const double reach = round % 3 ? uniform(0, 1.5) : INFINITY;
       random_vector(6, x);
       for (int d = 0; d < 3; d++) {
         lo[d] = x[d] - uniform(0, 1);
         hi[d] = x[d] + uniform(0, 1);
+        middle[d] = 0.5 * (lo[d] + hi[d]);
       }
       list.count = 0;
       assert_true(aspi_tree_meet(tree, lo, hi, reach, &list));
@@ -450,14 +410,9 @@ static void test_tree(void **unused) {
         bool meets = true;
         double square = 0; /* of the distance of its box from the middle */
         for (int d = 0; d < 3; d++) {
-          const double *a = triangles[i].node[0], *b = triangles[i].node[1],
-                       *c = triangles[i].node[2];
-          meets = meets && fmax(a[d], fmax(b[d], c[d])) >= lo[d] &&
-                  fmin(a[d], fmin(b[d], c[d])) <= hi[d];
-          const double middle = 0.5 * (lo[d] + hi[d]);
-          const double off =
-              fmax(fmin(a[d], fmin(b[d], c[d])) - middle, middle - fmax(a[d], fmax(b[d], c[d])));
-          square += fmax(0, off) * fmax(0, off);
+          const double off = off_box(&triangles[i], middle, d);
+          meets = meets && off <= 0.5 * (hi[d] - lo[d]);
+          square += off * off;
         }
         in_reach += meets && square <= reach * reach;
         least = fmin(least, aspi_triangle_nearest(&triangles[i], x, nearest));
@@ -479,12 +434,11 @@ static void test_tree(void **unused) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_paths),   cmocka_unit_test(test_grazing),
-      cmocka_unit_test(test_nearest), cmocka_unit_test(test_degenerate),
-      cmocka_unit_test(test_overlap), cmocka_unit_test(test_centered),
-      cmocka_unit_test(test_none),    cmocka_unit_test(test_wide),
-      cmocka_unit_test(test_sliding), cmocka_unit_test(test_along),
-      cmocka_unit_test(test_tree),
+      cmocka_unit_test(test_paths),    cmocka_unit_test(test_grazing),
+      cmocka_unit_test(test_nearest),  cmocka_unit_test(test_overlap),
+      cmocka_unit_test(test_centered), cmocka_unit_test(test_none),
+      cmocka_unit_test(test_wide),     cmocka_unit_test(test_sliding),
+      cmocka_unit_test(test_along),    cmocka_unit_test(test_tree),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
