@@ -49,7 +49,6 @@ static double cor_n(const asp_wall *wall, double theta) {
 
 /* CoR_N = e - (1 + e) q/(1 + q), q = (5/7) cos^2 theta, and its mean and sd over random axes. */
 static void dumbbells(void **state) {
-  (void)state;
   static const double of[][3] = {{1, .3872, .2268}, {0.9, .3179, .2155}, {0.6, .1098, .1814}};
   enum { N = 4000 };
   for (int i = 0; i < 3; i++) {
@@ -80,7 +79,6 @@ static vec random_vec(aspi_stream *s) {
 
 /* A sphere as a body is a sphere, for every law. */
 static void a_sphere_is_a_body(void **state) {
-  (void)state;
   static const char *const laws[] = {"walton 0.8 0.3 0",
                                      "walton 1 100 0",
                                      "constant 0.7 0.6",
@@ -167,7 +165,6 @@ static vec in_small_steps(const asp_body *body, vec arm, vec m, vec u, double e,
 }
 
 static void the_path_of_routh(void **state) {
-  (void)state;
   aspi_stream s = aspi_stream_begin(&(asp_key){5, 1, 1, 1});
   double worst = 0;
   for (int i = 0; i < 12; i++) {
@@ -187,7 +184,6 @@ static void the_path_of_routh(void **state) {
 /* Energy does not grow, with friction; without it the angular momentum about the contact is kept;
  * the touching sphere leaves. On demand: bodies in tests/sweep. */
 static void energy_and_momentum(void **state) {
-  (void)state;
   aspi_stream s = aspi_stream_begin(&(asp_key){7, 1, 1, 1});
   for (int i = 0; i < 40000; i++) {
     double inertia[6], e = i % 3 ? between(&s, 0, 1) : 1, mu = i % 4 ? between(&s, 0, 2) : 0;
@@ -213,7 +209,6 @@ static void energy_and_momentum(void **state) {
 
 /* A deposit holds the whole body; the law takes the effective mass, which decides. */
 static void sticks_as_a_whole(void **state) {
-  (void)state;
   asp_wall *wall = wall_from("rebound bons materials quartz 304-ss yield_stress 200MPa");
   int stuck = 0;
   double last = 0;
@@ -238,7 +233,6 @@ static void sticks_as_a_whole(void **state) {
 /* Eccentric grains: at normal impact without friction CoR_N = e - (1 + e) q/(1 + q) with q = 10 S^2
  * x, x exponential of mean 2; energy; they leave. */
 static void eccentric_grains(void **state) {
-  (void)state;
   enum { N = 30000 };
   double s = 0.02, expected = 0, mean = 0;
   for (int i = 0; i < 1000; i++) {
@@ -273,7 +267,6 @@ static void eccentric_grains(void **state) {
 
 /* A grain without spin leaves a wall of any direction, with no more energy. */
 static void eccentric_grains_of_all_walls(void **state) {
-  (void)state;
   asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
   for (int of = 0; of < 27; of++) {
     double n[3] = {of % 3 - 1, of / 3 % 3 - 1, of / 9 - 1}, v1[3];

@@ -52,7 +52,6 @@ static void within(double found, point reference, double tolerance) {
 
 /* Test 3: normal impact at 3.9 m/s with restitution 0 to 1: out comes what was put in. */
 static void test_3_normal_restitution(void **state) {
-  (void)state;
   for (int i = 0; i <= 5; i++) {
     char law[40];
     snprintf(law, sizeof law, "walton %g 0.092 0", 0.2 * i);
@@ -80,7 +79,6 @@ static void test_4_oblique_impact(void **state) {
   static const point recoil[] = {{9.96, -1.56},  {14.93, -5.54}, {19.99, -7.54}, {24.96, -7.54},
                                  {29.92, -3.55}, {34.96, 3.43},  {39.92, 11.57}, {49.83, 29.35},
                                  {59.99, 47.79}, {69.74, 64.58}, {79.82, 78.70}, {84.78, 84.52}};
-  (void)state;
   asp_wall *wall = wall_of("walton 0.98 0.092 0 compliance 0.8");
   asp_wall *fitted = wall_of("walton 0.98 0.092 0 compliance 0.7");
   for
@@ -109,7 +107,6 @@ static void test_5_oblique_elastic(void **state) {
                                  {7.124, 0.133},  {9.118, 2.147},  {12.356, 5.427}};
   static const point spin[] = {
       {7.029, -4.941}, {9.040, -4.972}, {12.335, -4.970}, {18.803, -4.975}};
-  (void)state;
   asp_wall *wall = wall_of("walton 1 0.3 0 compliance 0.7");
   for
     EACH(i, recoil) {
@@ -131,7 +128,6 @@ static void test_6_spinning_impact(void **state) {
   static const point recoil[] = {{0.085, 0.022},  {0.268, 0.089},  {0.465, 0.089},  {0.696, 0.050},
                                  {1.001, -0.151}, {1.429, -0.351}, {1.734, -0.377}, {2.149, 0.052},
                                  {2.747, 1.272},  {3.733, 3.241},  {5.677, 7.127}};
-  (void)state;
   asp_wall *wall = wall_of("walton 0.5 0.4 0 compliance 0.8");
   for
     EACH(i, recoil) {

@@ -40,7 +40,6 @@ static void is_near(double value, double expected, double tolerance) {
 }
 
 static void laws_have_their_closed_forms(void **state) {
-  (void)state;
   const double a = 10 * ASP_PI / 180, b = 60 * ASP_PI / 180;
   const char *finnie = "erosion finnie 1GPa density 7800" WALTON;
   is_near(worn(finnie, NULL, 50, 10, 1e-4, 1),
@@ -64,7 +63,6 @@ static void laws_have_their_closed_forms(void **state) {
  * manuals list (a H)^-b as 3, 10 and 1000; and a published set of another form: 6.154e-4 kg/kg
  * there, with n1 0.8 and n2 1.3. */
 static void oka_has_its_reference(void **state) {
-  (void)state;
   const double h = 1.8, sine = sin(ASP_PI / 6);
   const char *own = "erosion oka 1.8GPa density 7850" WALTON;
   is_near(worn(own, NULL, 104, 90, 326e-6, 1), 65 * pow(3, 0.12) * 1e-9 * 7850, 1e-12);
@@ -89,7 +87,6 @@ static void oka_has_its_reference(void **state) {
 
 /* The constants of each kind of particles, and of each form of grains, away from the references. */
 static void kinds_have_their_constants(void **state) {
-  (void)state;
   static const struct {
     const char *name;
     double k, k1, k2, k3, v, d, n1, n2;
@@ -121,7 +118,6 @@ static void kinds_have_their_constants(void **state) {
 }
 
 static void units_do_not_matter(void **state) {
-  (void)state;
   static const asp_units cgs = {"cgs", 100, 1000, 1};
   const char *words[] = {"erosion oka 1.8GPa density 7850kg/m3" WALTON,
                          "erosion finnie 800MPa density 7850kg/m3" WALTON};
@@ -132,7 +128,6 @@ static void units_do_not_matter(void **state) {
 /* On a smooth wall both are the same; on a rough one the mean wall gives each impact its angle, the
  * faces a scatter, and at grazing incidence more wear. */
 static void faces_wear_more_at_grazing(void **state) {
-  (void)state;
   const char *mean = "erosion dnv density 7800 face mean" WALTON,
              *tilted = "erosion dnv density 7800 face tilted" WALTON;
   is_near(worn(tilted, NULL, 30, 20, 1e-4, 1), worn(mean, NULL, 30, 20, 1e-4, 1), 1e-12);
@@ -148,7 +143,6 @@ static void faces_wear_more_at_grazing(void **state) {
 }
 
 static void words_are_checked(void **state) {
-  (void)state;
   static const char *const bad[][2] = {
       {"erosion dnv" WALTON, "density"},
       {"erosion dnc density 7800" WALTON, "dnv"},
@@ -168,7 +162,6 @@ static void words_are_checked(void **state) {
 
 /* The canonical text gives the same wall. */
 static void text_comes_back(void **state) {
-  (void)state;
   static const char *const texts[] = {
       "erosion oka 1.8GPa particles sic n1 0.8 density 7850 face tilted" WALTON,
       "erosion oka 0.4GPa wall aluminum a_b 2 -3 density 2700" WALTON,

@@ -47,7 +47,6 @@ static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NUL
 static const double up[3] = {0, 0, 1};
 
 static void smooth_wall_is_the_law(void **state) {
-  (void)state;
   setup s = setup_create("none", "bons", 0);
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (double alpha = 0.1; alpha < 1.57; alpha += 0.1) {
@@ -71,7 +70,6 @@ static void smooth_wall_is_the_law(void **state) {
 
 /* A specular face tilted by delta turns the rebound by twice that: alpha2 = alpha1 + 2 delta. */
 static void specular_rebound_turns_by_twice_the_tilt(void **state) {
-  (void)state;
   setup s = setup_create("truncated", "constant", 0.2);
   for (uint64_t tag = 0; tag < 10000; tag++) {
     double alpha = (0.5 + (double)(tag % 179)) * M_PI / 360;
@@ -90,7 +88,6 @@ static void specular_rebound_turns_by_twice_the_tilt(void **state) {
 
 /* Turning wall and velocity together turns the result. */
 static void frame_does_not_matter(void **state) {
-  (void)state;
   setup s = setup_create("weibull", "bons", 0.2);
   s.choice.isotropic = true;
   remake(&s);
@@ -119,7 +116,6 @@ static void frame_does_not_matter(void **state) {
 
 /* The out-of-plane tilt is positive along b = n x t, and its slope is normal with sd s_eff. */
 static void out_of_plane_tilt(void **state) {
-  (void)state;
   enum { N = 100000 };
   setup s = setup_create("weibull", "constant", 0.2);
   s.choice.isotropic = true;
@@ -139,7 +135,6 @@ static void out_of_plane_tilt(void **state) {
 
 /* At normal impact the rebound has no preferred direction. */
 static void normal_impact_is_isotropic(void **state) {
-  (void)state;
   enum { N = 100000 };
   setup s = setup_create("truncated", "constant", 0.3);
   double x = 0, y = 0, xx = 0, yy = 0, v1[3] = {0, 0, -1};
@@ -160,7 +155,6 @@ static void normal_impact_is_isotropic(void **state) {
 }
 
 static void no_deposits_where_none_are_taken(void **state) {
-  (void)state;
   setup s = setup_create("none", "bons", 0);
   asp_particle small = {1e-7, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0, NULL};
   double v1[3] = {1, 0, -1};
@@ -180,7 +174,6 @@ static void no_deposits_where_none_are_taken(void **state) {
 
 /* A law that returns nothing, on a wall without deposits: the particle slides and does not sink. */
 static void sliding(void **state) {
-  (void)state;
   setup s = setup_create("none", "constant", 0);
   assert_true(set_parameter(&s.choice, "cor_n", 0));
   s.choice.deposit = false;
@@ -195,7 +188,6 @@ static void sliding(void **state) {
 
 /* Nearly normal, and with a normal of nearly unit length, a specular rebound keeps its energy. */
 static void nearly_normal_impacts_keep_energy(void **state) {
-  (void)state;
   setup s = setup_create("normal", "constant", 0.2);
   double length = 1 + 1e-6, n[3] = {0.36 * length, 0.48 * length, 0.8 * length};
   for (uint64_t tag = 0; tag < 2000; tag++) {
@@ -209,7 +201,6 @@ static void nearly_normal_impacts_keep_energy(void **state) {
 
 /* A particle that does not approach goes on as it came; a grazing one leaves for good. */
 static void grazing_to_the_last_bit(void **state) {
-  (void)state;
   for (int rough = 0; rough < 2; rough++) {
     setup s = setup_create(rough ? "truncated" : "none", "constant", 0.2);
     for (int i = -3; i <= 3; i++) {
@@ -225,7 +216,6 @@ static void grazing_to_the_last_bit(void **state) {
 
 /* No face lies exactly along a flight, where rounding would say if it is hit. */
 static void faces_are_hit_or_not(void **state) {
-  (void)state;
   setup s = setup_create("traced", "constant", 0.6);
   s.choice.multiple = true;
   remake(&s);
@@ -246,7 +236,6 @@ static void faces_are_hit_or_not(void **state) {
 /* What a particle that stays loses per face. Small slopes p with E p = s sqrt(pi/2), E p^2 = 2 s^2:
  * its approach is p alone, or where both sides of a trough touch, the sum of two. */
 static void kinks_turn_by_both_sides(void **state) {
-  (void)state;
   enum { N = 40000 };
   setup s = setup_create("visible", "constant", 0.02);
   assert_true(set_parameter(&s.choice, "cor_n", 0.5) && set_parameter(&s.choice, "cor_t", 1));
@@ -267,7 +256,6 @@ static void kinks_turn_by_both_sides(void **state) {
 
 /* A particle without a pair gets that of the wall; many impacts are as many single ones. */
 static void many_impacts_are_single_ones(void **state) {
-  (void)state;
   enum { N = 500 };
   asp_error error;
   static double v1[3 * N], n[3 * N];
@@ -307,7 +295,6 @@ static void many_impacts_are_single_ones(void **state) {
 
 /* Without materials a law that takes them has no rebound. */
 static void a_pair_is_needed(void **state) {
-  (void)state;
   asp_error error;
   asp_wall *wall = asp_wall_from_text("", 0, 0, &error);
   const asp_particle bare = {.d_p = 1e-5, .density = 2650, .omega = {1, 2, 3}};
@@ -329,7 +316,6 @@ static const aspi_cor_point coefficients[] = {
 /* Random walls, every model with every law, random particles and impacts: the outcome is finite,
  * leaves the wall or stays on it, and has no more energy than before. */
 static void properties(void **state) {
-  (void)state;
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   int models = asp_spread_count(), laws = asp_rebound_count();
   aspi_cor_table *table = aspi_cor_table_create(coefficients, 4, NULL);
@@ -385,7 +371,6 @@ static void properties(void **state) {
 
 /* A particle along the wall that the last bits of a product of vectors send into it. */
 static void no_coefficient_is_infinite(void **state) {
-  (void)state;
   const double v1[3] = {1, 0, 0}, n[3] = {0, 0, 1};
   const asp_impact impact = {.v2 = {1, 0, -4e-18}, .outcome = ASP_REBOUND, .hits = 1};
   asp_coefficients c = asp_impact_coefficients(v1, n, &impact);
