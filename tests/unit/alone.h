@@ -5,6 +5,7 @@
 #define ASPERITY_TEST_ALONE_H
 
 #include <mpi.h>
+#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -104,6 +105,10 @@ struct Grains {
     for (size_t i = 0; i < n; i++)
       tag[i] = static_cast<int>(i) + 1;
   }
+  void put(size_t i, const double (&at)[3], const double (&speed)[3]) {
+    std::copy(at, at + 3, &x[3 * i]);
+    std::copy(speed, speed + 3, &v[3 * i]);
+  }
   Spheres spheres() {
     return Spheres{now,
                    dt,
@@ -164,6 +169,23 @@ struct Grains {
       advance();
       finish();
     }
+  }
+};
+
+/* Grains at a wall of one shape. */
+struct GrainsAtWall {
+  Alone engine;
+  std::unique_ptr<Wall> wall;
+  Grains grains;
+
+  GrainsAtWall(std::unique_ptr<Shape> shape, const std::string &description, size_t n, double r,
+               double dt, size_t triangles = 0)
+      : wall(make_wall(engine, std::move(shape), description, triangles)), grains(n, r, dt) {}
+  void begin() {
+    grains.begin({wall.get()});
+  }
+  double count(int k) const {
+    return wall->books.counter(k);
   }
 };
 

@@ -37,6 +37,8 @@ namespace {
 typedef std::unique_ptr<Shape> ShapePtr;
 
 const double STILL[3] = {0, 0, 0};
+const char *const STICKY = "rebound bons yield_rate 0 deposit freeze materials quartz";
+const char *const DULL = "rebound constant 0.5 0.5 deposit off";
 
 bool near(double a, double b, double within) {
   return fabs(a - b) <= within;
@@ -136,45 +138,45 @@ double energy_of(const Grains &g) {
   return sum;
 }
 
+/* A kick; what forces give is not the walls'. */
+void kick_without_forces(Grains &g, const double about[3], double lost[6]) {
+  std::vector<double> walls(g.total), turning(g.torque);
+  for (size_t k = 0; k < walls.size(); k++)
+    walls[k] -= g.f[k];
+  add_momenta(g, about, -1, lost);
+  g.total = g.f;
+  g.torque.assign(turning.size(), 0.);
+  g.kick();
+  add_momenta(g, about, 1, lost);
+  g.total = walls;
+  g.torque = turning;
+  g.kick();
+  for (size_t k = 0; k < walls.size(); k++)
+    g.total[k] += g.f[k];
+}
+
 /* So it does of grains that roll over its faces, hop, and lie in its valleys. Some of the energy
  * that forces give is lost within a step, so that the sums of energy are less exact. */
 void valleys_get_what_grains_lose(void **) {
   const double about[3] = {0.3, -0.2, 0.5};
   const int n = 100;
-  const Alone engine;
-  std::unique_ptr<Wall> wall = make_wall(engine, plane(0, 0),
-                                         "surface rq 0.1 lambda_c 1 deposit off torque_about 0.3 "
-                                         "-0.2 0.5 rebound walton 0.5 0.3 0");
-  Grains grains(n, 0.5, 0.01);
+  GrainsAtWall s(
+      plane(0, 0),
+      "surface rq 0.1 lambda_c 1 deposit off torque_about 0.3 -0.2 0.5 rebound walton 0.5 0.3 0", n,
+      0.5, 0.01);
+  Grains &grains = s.grains;
   grains.spins = true;
   for (int i = 0; i < n; i++) {
-    grains.x[3 * i] = i % 2 ? 0.5 : 0.51;
-    grains.x[3 * i + 1] = 3 * i;
-    grains.v[3 * i + 1] = 0.03 * i;
+    grains.put(i, {i % 2 ? 0.5 : 0.51, 3. * i, 0}, {0, 0.03 * i, 0});
     grains.omega[3 * i + 2] = 0.02 * i;
     grains.f[3 * i] = -1;
     grains.f[3 * i + 2] = 0.1;
   }
   double lost[6] = {0}, work = energy_of(grains), scale = 0;
   add_momenta(grains, about, 1, lost);
-  grains.begin({wall.get()});
+  s.begin();
   for (int step = 0; step < 1500; step++) {
-    const auto kick = [&] { /* what forces give is not the walls' */
-                            std::vector<double> walls(grains.total), turning(grains.torque);
-                            for (size_t k = 0; k < walls.size(); k++)
-                              walls[k] -= grains.f[k];
-                            add_momenta(grains, about, -1, lost);
-                            grains.total = grains.f;
-                            grains.torque.assign(turning.size(), 0.);
-                            grains.kick();
-                            add_momenta(grains, about, 1, lost);
-                            grains.total = walls;
-                            grains.torque = turning;
-                            grains.kick();
-                            for (size_t k = 0; k < walls.size(); k++)
-                              grains.total[k] += grains.f[k];
-    };
-    kick();
+    kick_without_forces(grains, about, lost);
     add_momenta(grains, about, -1, lost);
     for (size_t k = 0; k < grains.x.size(); k++) {
       work += grains.f[k] * grains.v[k] * grains.dt;
@@ -184,7 +186,7 @@ void valleys_get_what_grains_lose(void **) {
     step_walls(grains.steppers(), grains.spheres());
     grains.total = grains.f;
     grains.torque.assign(grains.torque.size(), 0.);
-    kick();
+    kick_without_forces(grains, about, lost);
     end_walls(grains.steppers(), grains.spheres());
   }
   add_momenta(grains, about, -1, lost);
@@ -199,11 +201,10 @@ void valleys_get_what_grains_lose(void **) {
   add_momenta(grains, about, -1, lost);
   for (double of : lost)
     scale = std::max(scale, fabs(of));
-  assert_true(wall->books.counter(Books::N_IMPACTS) > n && lie > n / 20 && lie < n);
+  assert_true(s.count(Books::N_IMPACTS) > n && lie > n / 20 && lie < n);
   for (int k = 0; k < 6; k++)
-    assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) <
-                (k < 3 ? 1e-11 : 1e-7) * scale);
-  assert_true(fabs(wall->books.counter(Books::DISSIPATED) - work) < 0.1 * work);
+    assert_true(fabs(s.count(Books::IMPULSE + k) - lost[k]) < (k < 3 ? 1e-11 : 1e-7) * scale);
+  assert_true(fabs(s.count(Books::DISSIPATED) - work) < 0.1 * work);
 }
 
 /* ---- slopes -----------------------------------------------------------------------------------
@@ -214,19 +215,17 @@ void valleys_get_what_grains_lose(void **) {
 void go_down(const std::string &surface, double d, double angle, double height, double speed,
              double dt, double &way, double &stopped) {
   const int n = 300, half = static_cast<int>(75 / dt + 0.5);
-  const Alone engine;
-  std::unique_ptr<Wall> wall =
-      make_wall(engine, plane(2, 0), "deposit off rebound walton 0.5 0.3 0 surface rq " + surface);
-  Grains grains(n, d / 2, dt);
+  GrainsAtWall s(plane(2, 0), "deposit off rebound walton 0.5 0.3 0 surface rq " + surface, n,
+                 d / 2, dt);
+  Grains &grains = s.grains;
   grains.spins = true;
   for (int i = 0; i < n; i++) {
-    grains.x[3 * i + 2] = d / 2 + height;
-    grains.v[3 * i] = speed;
+    grains.put(i, {0, 0, d / 2 + height}, {speed, 0, 0});
     grains.omega[3 * i + 1] = 2 * speed / d;
     grains.f[3 * i] = sin(angle * ASP_PI / 180);
     grains.f[3 * i + 2] = -cos(angle * ASP_PI / 180);
   }
-  grains.begin({wall.get()});
+  s.begin();
   grains.fly(half);
   const std::vector<double> middle(grains.x);
   grains.fly(half);
@@ -264,64 +263,51 @@ void faces_keep_their_length(void **) {
  * more speed than gravity takes in half a step. */
 void low_bounces_are_rests(void **) {
   for (double dt : {1e-3, 2.5e-4}) {
-    const Alone engine;
     const double e = 0.8, drop = 0.02, g = 9.81;
-    std::unique_ptr<Wall> wall =
-        make_wall(engine, plane(2, 0), "deposit off rebound walton 0.8 0.3 0");
-    Grains grains(1, 1e-3, dt);
-    grains.x[2] = 1e-3 + drop;
-    grains.f[2] = -g;
-    grains.begin({wall.get()});
-    grains.fly(static_cast<int>(1 / dt));
+    GrainsAtWall s(plane(2, 0), "deposit off rebound walton 0.8 0.3 0", 1, 1e-3, dt);
+    s.grains.x[2] = 1e-3 + drop;
+    s.grains.f[2] = -g;
+    s.begin();
+    s.grains.fly(static_cast<int>(1 / dt));
     int bounces = 0;
     for (double v = sqrt(2 * g * drop); v > g * dt / 2; v *= e)
       bounces++;
-    assert_int_equal(static_cast<int>(wall->books.counter(Books::N_IMPACTS)), bounces);
-    assert_true(aspi_length(&grains.v[0]) < 1e-12);
+    assert_int_equal(static_cast<int>(s.count(Books::N_IMPACTS)), bounces);
+    assert_true(aspi_length(&s.grains.v[0]) < 1e-12);
   }
 }
 
 /* So does a wall at which one sticks, and later what others do to it. */
 void stuck_grains_pass_their_spin_on(void **) {
-  const Alone engine;
-  std::unique_ptr<Wall> wall =
-      make_wall(engine, plane(0, 0), "rebound bons yield_rate 0 deposit freeze materials quartz");
-  Grains grains(1, 0.5, 0.1);
+  GrainsAtWall s(plane(0, 0), STICKY, 1, 0.5, 0.1);
+  Grains &grains = s.grains;
   grains.spins = true;
-  grains.x[0] = 0.5001;
-  grains.v[0] = -1e-3;
-  grains.v[1] = 2e-3;
+  grains.put(0, {0.5001, 0, 0}, {-1e-3, 2e-3, 0});
   grains.omega[2] = 3;
   double lost[6] = {0};
   add_momenta(grains, STILL, 1, lost);
-  grains.begin({wall.get()});
+  s.begin();
   grains.fly(5);
-  assert_true(wall->stuck() == 1);
+  assert_true(s.wall->stuck() == 1);
   for (int k = 0; k < 6; k++)
-    assert_true(fabs(wall->books.counter(Books::IMPULSE + k) - lost[k]) < 1e-14);
+    assert_true(fabs(s.count(Books::IMPULSE + k) - lost[k]) < 1e-14);
   grains.omega[2] = 3;
   grains.fly(1);
-  assert_true(fabs(wall->books.counter(Books::ANGULAR_IMPULSE + 2) - lost[5] - 0.4 * 0.25 * 3) <
-              1e-14);
+  assert_true(fabs(s.count(Books::ANGULAR_IMPULSE + 2) - lost[5] - 0.4 * 0.25 * 3) < 1e-14);
   assert_true(!(fabs(grains.omega[2]) > 0));
 }
 
 /* Whatever acts on a stuck grain goes to its wall, in the step in which it acts: as long as it
  * stays the same, when it changes within a step, and where grains change places within one. */
 void stuck_grains_pass_their_forces_on(void **) {
-  const Alone engine;
-  std::unique_ptr<Wall> wall =
-      make_wall(engine, plane(0, 0), "rebound bons yield_rate 0 deposit freeze materials quartz");
-  Grains grains(2, 0.5, 0.1);
-  for (size_t i = 0; i < 2; i++) {
-    grains.x[3 * i] = 0.5001;
-    grains.x[3 * i + 1] = 2 * static_cast<double>(i);
-    grains.v[3 * i] = -2e-3;
-  }
-  grains.begin({wall.get()});
+  GrainsAtWall s(plane(0, 0), STICKY, 2, 0.5, 0.1);
+  Grains &grains = s.grains;
+  for (int i = 0; i < 2; i++)
+    grains.put(i, {0.5001, 2. * i, 0}, {-2e-3, 0, 0});
+  s.begin();
   grains.fly(1);
-  assert_true(wall->stuck() == 2);
-  const double before = wall->books.counter(Books::ANGULAR_IMPULSE + 2);
+  assert_true(s.wall->stuck() == 2);
+  const double before = s.count(Books::ANGULAR_IMPULSE + 2);
   double sum = 0, turn = 0, last[2] = {0, 0};
   for (int step = 0; step < 40; step++) {
     grains.advance();
@@ -330,7 +316,7 @@ void stuck_grains_pass_their_forces_on(void **) {
     grains.f[1] = acts;
     grains.f[4] = 0.5 * acts * grains.mass[1];
     if (step % 8 == 5)
-      wall->reorder(grains.spheres());
+      s.wall->reorder(grains.spheres());
     grains.finish();
     double all = 0;
     for (size_t i = 0; i < 2; i++) {
@@ -344,9 +330,9 @@ void stuck_grains_pass_their_forces_on(void **) {
     }
     sum += 0.1 * all;
     turn += 0.1 * 0.5 * all;
-    assert_true(fabs(wall->books.counter(Books::FORCE + 1) - all) < 1e-12);
-    assert_true(fabs(wall->books.counter(Books::IMPULSE + 1) - sum) < 1e-12);
-    assert_true(fabs(wall->books.counter(Books::ANGULAR_IMPULSE + 2) - before - turn) < 1e-12);
+    assert_true(fabs(s.count(Books::FORCE + 1) - all) < 1e-12);
+    assert_true(fabs(s.count(Books::IMPULSE + 1) - sum) < 1e-12);
+    assert_true(fabs(s.count(Books::ANGULAR_IMPULSE + 2) - before - turn) < 1e-12);
   }
 }
 
@@ -391,8 +377,7 @@ void the_last_contact_may_stick(void **) {
     speed += k == series - 1 ? 1e-3 : 10 * (k + 1);
     walls.push_back(ShapePtr(new Chaser(speed)));
   }
-  std::unique_ptr<Wall> wall = make_wall(
-      engine, std::move(walls), "rebound bons yield_rate 0 deposit freeze materials quartz");
+  std::unique_ptr<Wall> wall = make_wall(engine, std::move(walls), STICKY);
   Grains grains(1, 0.5, 0.1);
   grains.begin({wall.get()});
   grains.fly(1);
@@ -404,29 +389,26 @@ void the_last_contact_may_stick(void **) {
 
 /* All numbers of a wall take one reduction, and none until something has changed. */
 void numbers_take_one_reduction(void **) {
-  const Alone engine;
-  std::unique_ptr<Wall> wall =
-      make_wall(engine, plane(0, 0), "rebound constant 0.5 0.5 deposit off");
-  Grains grains(1, 0.5, 0.1);
-  grains.x[0] = 0.55;
-  grains.v[0] = -1;
+  GrainsAtWall s(plane(0, 0), DULL, 1, 0.5, 0.1);
+  Grains &grains = s.grains;
+  grains.put(0, {0.55, 0, 0}, {-1, 0, 0});
   grains.f[0] = -0.1;
-  grains.begin({wall.get()});
-  assert_true(!(wall->books.counter(Books::N_IMPACTS) > 0));
+  s.begin();
+  assert_true(!(s.count(Books::N_IMPACTS) > 0));
   grains.advance();
   reductions = 0;
   for (int times = 0; times < 2; times++) {
     for (int k = 0; k < Books::N_COUNTERS; k++)
-      wall->books.counter(k);
+      s.count(k);
     for (int k = 0; k < Books::N_TOTALS; k++)
-      wall->books.total(0, k);
+      s.wall->books.total(0, k);
     assert_int_equal(reductions, 1);
   }
-  assert_true(wall->books.counter(Books::N_IMPACTS) > 0);
-  const double force = wall->books.counter(Books::FORCE);
+  assert_true(s.count(Books::N_IMPACTS) > 0);
+  const double force = s.count(Books::FORCE);
   grains.f[0] = -100; /* presses the grain back by the end of its step */
   grains.finish();
-  assert_true(fabs(wall->books.counter(Books::FORCE) - force) > 0);
+  assert_true(fabs(s.count(Books::FORCE) - force) > 0);
   assert_int_equal(reductions, 2);
 }
 
@@ -437,17 +419,13 @@ void numbers_take_one_reduction(void **) {
 void rounding_is_not_guarded(void **) {
   const double overlap[] = {1e-10, 1e-6, 1e-3, 1};
   for (double deep : overlap) {
-    const Alone engine;
-    std::unique_ptr<Wall> wall =
-        make_wall(engine, plane(0, 0), "rebound constant 0.5 0.5 deposit off");
-    Grains grains(1, 0.5, 0.1);
-    grains.x[0] = 0.5 * (1 - deep);
-    grains.v[0] = -1;
-    grains.begin({wall.get()});
-    grains.fly(1);
-    assert_true(wall->books.counter(Books::N_IMPACTS) == 1);
-    assert_true(wall->books.counter(Books::N_GUARDED) == (deep > 1e-4));
-    assert_true(grains.x[0] >= 0 && near(grains.v[0], 0.5, 1e-12));
+    GrainsAtWall s(plane(0, 0), DULL, 1, 0.5, 0.1);
+    s.grains.put(0, {0.5 * (1 - deep), 0, 0}, {-1, 0, 0});
+    s.begin();
+    s.grains.fly(1);
+    assert_true(s.count(Books::N_IMPACTS) == 1);
+    assert_true(s.count(Books::N_GUARDED) == (deep > 1e-4));
+    assert_true(s.grains.x[0] >= 0 && near(s.grains.v[0], 0.5, 1e-12));
   }
 }
 
@@ -521,13 +499,11 @@ void straying_grains_are_met(void **) {
   const double n[3] = {sqrt(1. / 3), sqrt(1. / 3), sqrt(1. / 3)};
   const double stray = 2e-3 * 0.5, share[] = {0.57, 0.6, 0.99};
   for (double of : share) {
-    const Alone engine;
-    std::unique_ptr<Wall> wall =
-        make_wall(engine, triangle_across(n), "rebound constant 0.5 0.5 deposit off", 1);
-    Grains grains(1, 0.5, 0.1);
+    GrainsAtWall s(triangle_across(n), DULL, 1, 0.5, 0.1, 1);
+    Grains &grains = s.grains;
     for (int d = 0; d < 3; d++)
       grains.x[d] = 0.7 * n[d];
-    grains.begin({wall.get()});
+    s.begin();
     grains.fly(2);
     for (int d = 0; d < 3; d++)
       grains.v[d] = -of * stray / grains.dt;
@@ -535,8 +511,7 @@ void straying_grains_are_met(void **) {
       grains.fly(1);
       assert_true(aspi_dot(grains.x.data(), n) > 0.5 - 1e-9);
     }
-    assert_true(wall->books.counter(Books::N_IMPACTS) == 1 &&
-                wall->books.counter(Books::N_GUARDED) < 1);
+    assert_true(s.count(Books::N_IMPACTS) == 1 && s.count(Books::N_GUARDED) < 1);
   }
 }
 
@@ -550,8 +525,7 @@ void bent_ways_are_met(void **) {
     const Alone engine;
     std::unique_ptr<Wall> floor = make_wall(engine, plane(2, 0, fast),
                                             "rebound walton 0.5 10 0 deposit off"),
-                          wall = make_wall(engine, triangle_across(n),
-                                           "rebound constant 0.5 0.5 deposit off", 1);
+                          wall = make_wall(engine, triangle_across(n), DULL, 1);
     Grains grains(1, 0.5, dt);
     const double pull = bend * stray / dt, along = 0.5 * stray / dt;
     for (int d = 0; d < 2; d++) {
@@ -582,14 +556,11 @@ void bent_ways_are_met(void **) {
  * steps that it takes are chords: their speed differs from that of the first instant by a share of
  * 1e-6. */
 void grains_slide_inside_cylinders(void **) {
-  const Alone engine;
-  std::unique_ptr<Wall> wall = make_wall(engine, ShapePtr(new CylinderShape(2, STILL, 5, 0, 0)),
-                                         "rebound walton 0.5 0 0 deposit off");
-  Grains grains(1, 0.5, 0.01);
-  grains.x[0] = 4.5;
-  grains.v[1] = 3;
-  grains.v[2] = 0.2;
-  grains.begin({wall.get()});
+  GrainsAtWall s(ShapePtr(new CylinderShape(2, STILL, 5, 0, 0)),
+                 "rebound walton 0.5 0 0 deposit off", 1, 0.5, 0.01);
+  Grains &grains = s.grains;
+  grains.put(0, {4.5, 0, 0}, {0, 3, 0.2});
+  s.begin();
   double speed = aspi_length(grains.v.data());
   for (int k = 0; k < 3000; k++) {
     grains.fly(1);
@@ -598,8 +569,7 @@ void grains_slide_inside_cylinders(void **) {
       speed = aspi_length(grains.v.data());
     assert_true(fabs(aspi_length(grains.v.data()) - speed) < (k < 10 ? 1e-5 : 1e-9));
   }
-  assert_true(grains.x[2] > 5.9 && wall->books.counter(Books::N_IMPACTS) < 1 &&
-              wall->books.counter(Books::N_GUARDED) < 1);
+  assert_true(grains.x[2] > 5.9 && s.count(Books::N_IMPACTS) < 1 && s.count(Books::N_GUARDED) < 1);
 }
 
 /* A belt that turns about z. */
@@ -676,18 +646,14 @@ void rough_rooms_give_no_energy(void **) {
 /* A face that faces the flight may send a grain off faster along the normal of the mean wall than
  * it came; no force that changes within the step may do so many times its work. */
 void forces_do_their_own_work(void **) {
-  const Alone engine;
-  std::unique_ptr<Wall> wall = make_wall(
-      engine, plane(2, 0), "surface sigma 10 rebound constant 1 1 deposit off spread visible");
-  Grains grains(100, 0.5, 0.01);
+  GrainsAtWall s(plane(2, 0), "surface sigma 10 rebound constant 1 1 deposit off spread visible",
+                 100, 0.5, 0.01);
+  Grains &grains = s.grains;
   for (int i = 0; i < 100; i++) {
-    grains.x[3 * i] = 3 * i;
-    grains.x[3 * i + 2] = 0.5001;
-    grains.v[3 * i] = 5;
-    grains.v[3 * i + 2] = -0.02;
+    grains.put(i, {3. * i, 0, 0.5001}, {5, 0, -0.02});
     grains.f[3 * i + 2] = 0.01;
   }
-  grains.begin({wall.get()});
+  s.begin();
   grains.advance();
   double most = 0;
   const std::vector<double> before = grains.v;
@@ -754,8 +720,7 @@ void the_log_names_what_sticks(void **) {
   Grains grains(2, 5e-6, 1e-6 / speed);
   for (int i = 0; i < 2; i++) {
     grains.mass[i] = 2650 * ASP_PI / 6 * 1e-15;
-    grains.x[3 * i] = 5.5e-6;
-    grains.v[3 * i] = -speed * (i ? 1.01 : 0.99);
+    grains.put(i, {5.5e-6, 0, 0}, {-speed * (i ? 1.01 : 0.99), 0, 0});
   }
   grains.begin({wall.get()});
   grains.fly(1);
@@ -794,8 +759,7 @@ void restarts_keep_their_ledger(void **) {
   };
   std::unique_ptr<Wall> wall = make(), next = make();
   Grains grains(1, 0.5, 0.1);
-  grains.x[0] = 0.55;
-  grains.v[0] = -1;
+  grains.put(0, {0.55, 0, 0}, {-1, 0, 0});
   grains.begin({wall.get()});
   grains.fly(2);
   const std::vector<char> saved = wall->save();

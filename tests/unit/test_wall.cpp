@@ -27,6 +27,9 @@ namespace {
 
 const double DIAMETER = 1, HALF = 5; /* of the grains; of the distance of both planes */
 const int GRAINS = 200;
+const char *const ELASTIC = "rebound constant 1 1 deposit off";
+const char *const IN_FLOW =
+    "materials quartz deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5";
 
 /* A wall of two planes across x. */
 std::unique_ptr<Wall> wall_of(const Engine &engine, const std::string &description) {
@@ -37,35 +40,31 @@ std::unique_ptr<Wall> wall_of(const Engine &engine, const std::string &descripti
   return make_wall(engine, std::move(planes), description);
 }
 
-std::string message(const Engine &engine, const std::string &description) {
+/* The message of the error that it ends with. */
+template <class Action> std::string error_of(Action action) {
   try {
-    wall_of(engine, description);
+    action();
   } catch (const Error &wrong) {
     return wrong.what();
   }
   return "";
 }
 
-bool has(const std::string &text, const char *part) {
-  return text.find(part) != std::string::npos;
+std::string message(const Engine &engine, const std::string &description) {
+  return error_of([&] { wall_of(engine, description); });
 }
 
-/* Grains between both planes, each second one straight toward them. */
-Grains between_planes() {
-  Grains grains(GRAINS, DIAMETER / 2, 0.5);
-  for (int i = 0; i < GRAINS; i++) {
-    grains.x[3 * i] = 0.01 * i;
-    grains.v[3 * i] = 1 + 0.01 * i;
-    grains.v[3 * i + 1] = i % 2 ? 0.02 * i : 0;
-  }
-  return grains;
+bool has(const std::string &text, const char *part) {
+  return text.find(part) != std::string::npos;
 }
 
 /* Nothing leaves the plane, neither at an angle nor straight on, and an elastic wall keeps the
  * energy. */
 void two_dimensions_stay_in_their_plane(void **) {
   const Alone flat(2);
-  Grains grains = between_planes();
+  Grains grains(GRAINS, DIAMETER / 2, 0.5);
+  for (int i = 0; i < GRAINS; i++) /* each second one straight toward a plane */
+    grains.put(i, {0.01 * i, 0, 0}, {1 + 0.01 * i, i % 2 ? 0.02 * i : 0, 0});
   std::unique_ptr<Wall> wall =
       wall_of(flat, "surface rq 0.2 lambda_c 1.6 rebound constant 1 1 deposit off");
   grains.begin({wall.get()});
@@ -85,12 +84,12 @@ void two_dimensions_refuse_what_leaves_them(void **) {
   const Alone flat(2), space(3);
   const std::string rough = "surface rq 0.2 lambda_c 1.6 ",
                     lay = "surface rq 0.1 lambda_c 1 2 lay ";
-  assert_true(has(message(flat, rough + "spread visible isotropic"), "'isotropic'"));
-  assert_true(has(message(flat, rough + "spread visible isotropic"), "'dimension 2'"));
+  for (const char *part : {"'isotropic'", "'dimension 2'"})
+    assert_true(has(message(flat, rough + "spread visible isotropic"), part));
   assert_true(has(message(flat, lay + "0 1 0"), "the wall has a lay"));
   assert_string_equal(message(flat, rough + "spread visible plane").c_str(), "");
-  assert_string_equal(message(space, rough + "spread visible isotropic").c_str(), "");
-  assert_string_equal(message(space, lay + "0 1 0").c_str(), "");
+  for (const std::string &words : {rough + "spread visible isotropic", lay + "0 1 0"})
+    assert_string_equal(message(space, words).c_str(), "");
 }
 
 /* LAMMPS's fix ave/histo and its Python interface step from the first row by the number of
@@ -123,18 +122,13 @@ void periodic_directions_are_refused(void **) {
   const Spheres none = Spheres();
   const double still[3] = {0, 0, 0};
   for (int d = 0; d < 3; d++) {
-    std::unique_ptr<Wall> wall = wall_of(engine, "rebound constant 1 1 deposit off");
+    std::unique_ptr<Wall> wall = wall_of(engine, ELASTIC);
     Wall tube(engine);
     tube.add_shape(std::unique_ptr<Shape>(new CylinderShape(1, still, 1, 0, 0)), 1, 0, "");
     Box box = {{0, 0, 0}, {0, 0, 0}};
     box.period[d] = 1;
     for (Wall *each : {wall.get(), &tube}) {
-      std::string wrong;
-      try {
-        each->begin_run(none, 1, box);
-      } catch (const Error &error) {
-        wrong = error.what();
-      }
+      const std::string wrong = error_of([&] { each->begin_run(none, 1, box); });
       assert_int_equal(wrong.empty(), each == &tube ? d == 1 : d != 0);
       if (!wrong.empty())
         assert_true(has(wrong, (std::string("stands across ") + "xyz"[d]).c_str()));
@@ -190,20 +184,15 @@ void meshes_repeat_with_the_box(void **) {
 void long_flights_meet_a_mesh(void **) {
   const int n = 100;
   for (double by : {0.0, 0.003, 0.5}) {
-    const Alone engine;
     MeshShape *const plate = new MeshShape;
     set_plate(*plate);
-    std::unique_ptr<Wall> wall =
-        make_wall(engine, std::unique_ptr<Shape>(plate), "rebound constant 1 1 deposit off", 2);
-    Grains grains(n, 0.005, 0.01);
-    for (int i = 0; i < n; i++) {
-      const double x[3] = {-2 + 0.01 * i, 5 + 0.37 * i - floor(0.37 * i), 0.02 + 0.001 * i};
-      aspi_copy(x, &grains.x[3 * i]);
-      grains.v[3 * i] = 0.4;
-      grains.v[3 * i + 2] = -0.01;
-    }
+    GrainsAtWall s(std::unique_ptr<Shape>(plate), ELASTIC, n, 0.005, 0.01, 2);
+    Grains &grains = s.grains;
+    for (int i = 0; i < n; i++)
+      grains.put(i, {-2 + 0.01 * i, 5 + 0.37 * i - floor(0.37 * i), 0.02 + 0.001 * i},
+                 {0.4, 0, -0.01});
     plate->set_images(BOX);
-    grains.begin({wall.get()});
+    s.begin();
     Frame frame;
     for (int step = 1; step <= 1400; step++) {
       frame.shift[0] += by;
@@ -215,11 +204,11 @@ void long_flights_meet_a_mesh(void **) {
         continue;
       for (int i = 0; i < n; i++)
         grains.x[3 * i] -= floor(grains.x[3 * i] + 2);
-      wall->reorder(grains.spheres());
+      s.wall->reorder(grains.spheres());
     }
     for (int i = 0; i < n; i++)
       assert_true(grains.x[3 * i + 2] > 0 && grains.v[3 * i + 2] > 0);
-    assert_int_equal(wall->books.counter(Books::N_IMPACTS), n);
+    assert_int_equal(s.count(Books::N_IMPACTS), n);
   }
 }
 
@@ -232,37 +221,26 @@ void absurd_flights_are_refused(void **) {
   assert_true(plate.clear(course, FaceList{0, {0, 0, 0}}) < 1);
   for (double v : {1e9, HUGE_VAL}) {
     const Path path = {{-2, 5, 0.1}, {v, 0, -1}, 1, 1, 0};
-    std::string wrong;
-    try {
-      Contact contact;
-      plate.find(path, 0.02, 1, contact);
-    } catch (const Error &error) {
-      wrong = error.what();
-    }
-    assert_true(has(wrong, "shorten the time step"));
+    Contact contact;
+    assert_true(
+        has(error_of([&] { plate.find(path, 0.02, 1, contact); }), "shorten the time step"));
   }
 }
 
-std::unique_ptr<Wall> floor_of(const Engine &engine, const std::string &description) {
+std::unique_ptr<Shape> ground() {
   const double still[3] = {0, 0, 0};
-  return make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, still)), description);
+  return std::unique_ptr<Shape>(new PlaneShape(2, 0, still));
 }
 
 /* A row has the place in the box, wherever the grain is followed. */
 void rows_are_in_the_box(void **) {
-  const Alone engine;
-  std::unique_ptr<Wall> wall =
-      floor_of(engine, "rebound constant 1 1 deposit off ledger 10 columns full");
-  Grains grains(2, 0.1, 1);
-  for (int i = 0; i < 2; i++) {
-    grains.x[3 * i] = i ? -0.4 : 1.3;
-    grains.x[3 * i + 2] = 0.5;
-    grains.v[3 * i + 2] = -1;
-  }
-  grains.begin({wall.get()});
-  wall->setup.box = Box{{0, 0, 0}, {1, 0, 0}};
-  grains.fly(1);
-  Ledger &ledger = *wall->books.ledger();
+  GrainsAtWall s(ground(), "rebound constant 1 1 deposit off ledger 10 columns full", 2, 0.1, 1);
+  s.grains.put(0, {1.3, 0, 0.5}, {0, 0, -1});
+  s.grains.put(1, {-0.4, 0, 0.5}, {0, 0, -1});
+  s.begin();
+  s.wall->setup.box = Box{{0, 0, 0}, {1, 0, 0}};
+  s.grains.fly(1);
+  Ledger &ledger = *s.wall->books.ledger();
   assert_int_equal(ledger.size(), 2);
   assert_float_equal(ledger.rows()[0][Ledger::X], 0.3, 1e-12);
   assert_float_equal(ledger.rows()[1][Ledger::X], 0.6, 1e-12);
@@ -274,10 +252,10 @@ void idle_walls_are_doubted(void **) {
   const char *const lay = "surface rq 0.1 lambda_c 1 2 lay 0 0 1 rebound constant 1 1 deposit off";
   const Bounds here = {{-1, -1, 0.3}, {1, 1, 5}}, far = {{-1, -1, 2}, {1, 1, 5}};
   Alone engine;
-  floor_of(engine, "rebound constant 1 1 deposit off")->check_use(&here, NULL);
-  floor_of(engine, "rebound constant 1 1 deposit off")->check_use(NULL, NULL);
+  for (const Bounds *bounds : {&here, static_cast<const Bounds *>(NULL)})
+    make_wall(engine, ground(), ELASTIC)->check_use(bounds, NULL);
   assert_string_equal(engine.warned.c_str(), "");
-  std::unique_ptr<Wall> wall = floor_of(engine, lay);
+  std::unique_ptr<Wall> wall = make_wall(engine, ground(), lay);
   wall->check_use(&far, "dust");
   assert_true(has(engine.warned, "lies outside of the box, x -1 to 1, y -1 to 1, z 2 to 5"));
   assert_true(has(engine.warned, "the lay, 0 0 1, is along the normal"));
@@ -291,7 +269,7 @@ void idle_walls_are_doubted(void **) {
  * of dt. After half of the time all go on at another wall, as after a restart. They are pulled to
  * the wall, and do not stick again. */
 std::vector<double> times_of_removal(double dt) {
-  const double d = 1e-5, none[3] = {0, 0, 0};
+  const double d = 1e-5;
   Alone engine;
   engine.least = engine.most = d;
   std::vector<std::unique_ptr<Wall>> walls;
@@ -299,9 +277,7 @@ std::vector<double> times_of_removal(double dt) {
   Grains grains(GRAINS, d / 2, dt);
   double packed[PACKED_MOST];
   for (int half = 0; half < 2; half++) {
-    walls.push_back(make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, none)),
-                              "materials quartz deposit freeze remove u_tau 1 gas_density 1.2 "
-                              "gas_viscosity 1.5e-5"));
+    walls.push_back(make_wall(engine, ground(), IN_FLOW));
     grains.begin({walls.back().get()});
     Memories &rows = walls[half]->stepper.rows;
     for (int i = 0; i < GRAINS; i++) {
@@ -331,12 +307,10 @@ std::vector<double> times_of_removal(double dt) {
 
 /* A body of two spheres is held by the one with this tag: when it leaves. */
 double time_of_body(int tag, double dt) {
-  const double d = 1e-5, none[3] = {0, 0, 0};
+  const double d = 1e-5;
   Alone engine;
   engine.least = engine.most = d;
-  std::unique_ptr<Wall> wall = make_wall(
-      engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, none)),
-      "materials quartz deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5");
+  std::unique_ptr<Wall> wall = make_wall(engine, ground(), IN_FLOW);
   Bodies bodies;
   bodies.dt = dt;
   bodies.all.push_back(Body());
@@ -375,7 +349,7 @@ void flow_takes_deposits_away(void **) {
  * before forces move it. */
 void bodies_of_no_wall_stay(void **) {
   const Alone engine;
-  std::unique_ptr<Wall> wall = floor_of(engine, "rebound constant 1 1 deposit freeze");
+  std::unique_ptr<Wall> wall = make_wall(engine, ground(), "rebound constant 1 1 deposit freeze");
   Bodies bodies;
   Body body = Body();
   body.count = 1;
@@ -433,14 +407,9 @@ static void memories_come_back(void **) {
   assert_true(restored.state[0].impacts > 1);
   restored.claim({}, MPI_COMM_WORLD);
   assert_true(restored.pack().empty());
-  std::string said;
-  try {
-    restored.restore(std::vector<double>(saved.begin(), saved.begin() + 9),
-                     [](MoverState &, Memory &) {});
-  } catch (const Error &wrong) {
-    said = wrong.what();
-  }
-  assert_true(said.find("bodies of another form") != std::string::npos);
+  const std::vector<double> cut(saved.begin(), saved.begin() + 9);
+  const std::string wrong = error_of([&] { restored.restore(cut, [](MoverState &, Memory &) {}); });
+  assert_true(has(wrong, "bodies of another form"));
 }
 
 int main(int argc, char **argv) {
