@@ -31,7 +31,7 @@
 #define U_LEAST 1.1102230246251565e-16 /* 2^-53, and the largest number under 1 */
 #define U_MOST (1 - U_LEAST)
 
-enum { SLOPES = 24, MODELS_MOST = 32, HALVINGS = 20 };
+enum { SLOPES = 17, MODELS_MOST = 32, HALVINGS = 20 };
 
 typedef enum place {
   CAPTURE,
@@ -91,22 +91,11 @@ static void on_trap(int number) {
   _exit(1);
 }
 
-/* A Gaussian profile, or for slopes beyond the reach of one a zigzag of 16 points a period. */
-static asp_heights *profile_of(double slope) {
-  if (slope <= 1)
-    return aspi_profile_generate(slope / sqrt(2), 1, 1. / 32, 2048, 1, NULL);
-  double heights[64];
-  for (int i = 0; i < 64; i++)
-    heights[i] = slope * (i % 16 < 8 ? i % 8 : 8 - i % 8);
-  return asp_heights_create(heights, 64, 1, 1, 1, true, NULL);
-}
-
 /* The walls of one slope, of every model. */
 static bool make_walls_of(int i, double slope) {
   asp_error error;
-  asp_heights *profile = profile_of(slope);
-  surfaces[i] = slope <= 1 ? asp_surface_create(slope / sqrt(2), 1, &error)
-                           : asp_surface_create_profile(profile, 1, 1, 1, &error);
+  asp_heights *profile = aspi_profile_generate(slope / sqrt(2), 1, 1. / 32, 2048, 1, NULL);
+  surfaces[i] = asp_surface_create(slope / sqrt(2), 1, &error);
   bool made = surfaces[i];
   for (int k = 0; k < asp_spread_count() && made; k++) {
     aspi_wall_choice choice = aspi_wall_choice_smooth();
@@ -123,14 +112,14 @@ static bool make_walls_of(int i, double slope) {
   return made;
 }
 
-/* Walls of every model and slope: tan sigma from 1e-15 to 1, and sigma on to 85 degrees. */
+/* Walls of every model and slope: tan sigma from 1e-15 to 1, and the largest sigma, 54 degrees. */
 static bool make_walls(void) {
   for (int k = 0; k < asp_spread_count(); k++) {
     forced[k] = *asp_spread_at(k);
     forced[k].quantile = forced_quantile;
   }
   for (int i = 0; i < SLOPES; i++)
-    if (!make_walls_of(i, i < 16 ? pow(10, i - 15) : tan((45 + 5 * (i - 15)) * ASP_PI / 180)))
+    if (!make_walls_of(i, i < 16 ? pow(10, i - 15) : tan(54 * ASP_PI / 180)))
       return false;
   static const aspi_cor_point points[] = {{1e-3, 0, 1, 1},     {1e-3, 0.7, 0.9, 0.7},
                                           {1e-3, 1.5, 0.5, 1}, {1e3, 0, 1, 1},
