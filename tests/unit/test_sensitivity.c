@@ -108,7 +108,7 @@ static void walls_without_weights_are_refused(void **state) {
 
 /* ---- runs of particles that hit up to three times ---- */
 
-enum { PARTICLES = 1500, ROWS = 3 * PARTICLES };
+enum { PARTICLES = 1000, ROWS = 3 * PARTICLES };
 #define STEP 1e-3
 
 /* Particles of the tags behind `first` on walls[0]; fills the impacts and returns how many. */
@@ -161,7 +161,7 @@ static void run_on(double factor, uint64_t first, aspi_drawn *drawn,
 /* The means over runs of a value and of what tells it, with the spread of the latter. */
 static void one_run_tells_of_others(void **state) {
   (void)state;
-  enum { RUNS = 20 };
+  enum { RUNS = 12 };
   static aspi_drawn drawn[ROWS];
   for (int result = 0; result < 2; result++) {
     double mean[ASPI_PARTS] = {0}, square[ASPI_PARTS] = {0}, se[ASPI_PARTS] = {0};
