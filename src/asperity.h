@@ -224,8 +224,8 @@ double asp_wall_slope(const asp_wall *wall, double d_p);
  * any one unit. */
 typedef struct asp_heights asp_heights;
 
-/* From z[rows * columns], row after row, which are copied: numbers, at least three in a row, and one
- * row or at least three. step_x: between the points of a row; step_y: between rows. */
+/* From z[rows * columns], row after row, which are copied: numbers, at least three in a row, and
+ * one row or at least three. step_x: between the points of a row; step_y: between rows. */
 asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
                                 double step_y, bool periodic, asp_error *error);
 void asp_heights_free(asp_heights *heights);

@@ -81,10 +81,10 @@ const char *asp_material_name(const asp_material *material);
  * formats are refused with the name of a free program that converts them.
  *
  * The mean line or plane is taken out; bad points and gaps are refused. `text`, of `size`
- * characters (NULL: none): one sentence about points, form, positions and columns. *doubt: ASP_EDATA
- * and a message where the heights are doubtful: dust (points far off all neighbors), heights in few
- * levels, or cut off at an end of their range; else ASP_OK. The command `asperity surface` has
- * options for all other files. */
+ * characters (NULL: none): one sentence about points, form, positions and columns. *doubt:
+ * ASP_EDATA and a message where the heights are doubtful: dust (points far off all neighbors),
+ * heights in few levels, or cut off at an end of their range; else ASP_OK. The command `asperity
+ * surface` has options for all other files. */
 asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char *text, size_t size,
                               asp_error *doubt, asp_error *error);
 
@@ -216,10 +216,10 @@ double asp_surface_uncertainty(const asp_surface *surface);
  * same to particles of all sizes: its faces are as long as the particle, d_p. */
 double asp_surface_face_length(const asp_surface *surface, double d_p);
 
-/* n contacts as asp_wall_impacts makes them, and the likelihood ratios of their draws on other walls:
- * weights[n][n_others], the density of a contact's faces and flights there over that on its own
- * wall, with mean 1. Weighted means over contacts are those on the other wall. ASP_EARG if a wall is
- * smooth, its model has no density (traced), or it has `collisions single`. */
+/* n contacts as asp_wall_impacts makes them, and the likelihood ratios of their draws on other
+ * walls: weights[n][n_others], the density of a contact's faces and flights there over that on its
+ * own wall, with mean 1. Weighted means over contacts are those on the other wall. ASP_EARG if a
+ * wall is smooth, its model has no density (traced), or it has `collisions single`. */
 asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,

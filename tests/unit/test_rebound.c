@@ -6,8 +6,8 @@
 #include "rebound/laws.h"
 
 static asp_pair pair_of(const char *particle, const char *wall, double gamma, double mu) {
-  asp_pair *made =
-      asp_pair_create(aspi_materials_find(NULL, particle, NULL), aspi_materials_find(NULL, wall, NULL), NULL);
+  asp_pair *made = asp_pair_create(aspi_materials_find(NULL, particle, NULL),
+                                   aspi_materials_find(NULL, wall, NULL), NULL);
   assert_non_null(made);
   assert_int_equal(asp_pair_set(made, "surface_energy", gamma, NULL), ASP_OK);
   assert_int_equal(asp_pair_set(made, "friction", mu, NULL), ASP_OK);
