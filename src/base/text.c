@@ -29,9 +29,9 @@ typedef enum order { BYTES, LITTLE, BIG } order;
  * at the end. */
 static bool copy_character(FILE *from, FILE *to, order of) {
   int first = getc_unlocked(from), second = getc_unlocked(from);
-  int unit = of == LITTLE ? first | second << 8 : first << 8 | second;
   if (second == EOF)
     return false;
+  int unit = of == LITTLE ? first | second << 8 : first << 8 | second;
   if (unit >= 0xD800 && unit < 0xE000)
     unit = '?';
   if (unit >= 0x800)
