@@ -28,7 +28,7 @@ refuses "walls { \".*\" \"surface rq 5um lambda_c 40um 80um lay axial $smooth\";
 refuses 'walls { ".*" "materials quartz hastelloy-x deposit delete remove gas_density 1 gas_viscosity 1"; }' 'entry .*:' "no effect"
 refuses "walls { \".*\" \"$smooth\"; } ledger often;" "ledger"
 refuses "walls { \".*\" \"$smooth\"; } ledgr 100;" "'ledgr'" "ledger"
-refuses "walls { \".*\" \"materials quartz hastelloy-x ledger 100 file x\"; }" "'ledger 100' is neither"
+refuses "walls { \".*\" \"materials quartz hastelloy-x ledger 100 file x\"; }" "material 'ledger' is unknown"
 refuses "walls { \".*\" \"$smooth\"; } ledger 1; fullLedger perhaps;" "fullLedger"
 
 # Two dimensions.
