@@ -16,7 +16,7 @@ paths=$(sed -nE 's/^([^#]* )?((\.ci|cmake|tests)\/[a-z0-9_\/.]+).*/\2/p' .ci/* .
 [ "$(wc -w <<< "$paths")" -ge 8 ] || say "only the scripts $paths were found"
 while read -r path; do [ -x "$path" ] || [[ -e $path && $path == *.sh ]] || say "the workflow has '$path', which is no script"; done <<< "$paths"
 launching=$(find examples tests .ci \( -name run -o -name '*.sh' \) -not -path '*/rooms/*' -exec grep -lE '(mpirun|timeout|launch).*(-asperity|program|lmp)"' {} +)
-[ "$(wc -w <<< "$launching")" -ge 15 ] || say "only the scripts $launching start an engine"
+[ "$(wc -w <<< "$launching")" -ge 17 ] || say "only the scripts $launching start an engine"
 for script in $launching; do
   grep -qE 'OMPI_MCA_orte_tmpdir_base=|^source .*/engine\.sh"' "$script" || say "$script starts an engine without OMPI_MCA_orte_tmpdir_base"
 done
