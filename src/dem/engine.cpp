@@ -58,6 +58,20 @@ std::string Bounds::describe() const {
               hi[2]);
 }
 
+void asperity::add_diameters(const Spheres &spheres, int group, MPI_Comm world, double &least,
+                             double &most) {
+  double mine[2] = {most > 0 ? -least : -HUGE_VAL, most}, all[2];
+  for (int i = 0; i < spheres.n; i++) {
+    if (!(spheres.mask[i] & group))
+      continue;
+    mine[0] = std::max(mine[0], -2 * spheres.radius[i]);
+    mine[1] = std::max(mine[1], 2 * spheres.radius[i]);
+  }
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, world);
+  least = all[1] > 0 ? -all[0] : 0;
+  most = all[1];
+}
+
 std::vector<Engine::Kind> asperity::kinds_of(const Spheres &spheres, int group,
                                              const std::vector<double> &present, MPI_Comm world) {
   const size_t n = present.size();

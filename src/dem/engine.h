@@ -84,7 +84,8 @@ public:
     return "";
   }
 
-  /* The diameters of the particles that there are or will be, of all ranks. Both 0: none. */
+  /* The diameters of the group's particles that there are or will be, of all ranks. Both 0: none.
+   */
   virtual void diameters(double &least, double &most) const = 0;
 
   /* For each type, whether there are such particles, or will be, and the least and the largest of
@@ -101,6 +102,10 @@ public:
     return rank;
   }
 };
+
+/* Extends a range of diameters, both 0 if there are none yet, by those of a group; of all ranks of
+ * `world`. */
+void add_diameters(const Spheres &spheres, int group, MPI_Comm world, double &least, double &most);
 
 /* The kinds of the spheres of a group; `present` has a number over 0 for each type of which there
  * will be some. Of all ranks of `world`. */

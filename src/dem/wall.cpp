@@ -123,7 +123,6 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   setup.groupbit = groupbit;
   setup.box = box;
   check_box(setup);
-  setup.dt = spheres.dt;
   books.begin_run();
   books.reorder(spheres.n);
   stepper.begin_run(spheres, shape_now_);
@@ -175,7 +174,9 @@ void Wall::reorder(const Spheres &spheres) {
   check_speeds(spheres);
 }
 
-void Wall::reset_dt(int64_t step, double dt) {
+void Wall::set_dt(int64_t step, double dt) {
+  if (setup.dt >= dt && setup.dt <= dt)
+    return;
   setup.set_clock(step, dt);
   stepper.clear_ahead(); /* it counts steps */
 }

@@ -57,7 +57,8 @@ struct Wall {
   void end_step(int64_t step, bool output);
   void end_run();
 
-  void reset_dt(int64_t step, double dt);
+  /* The length of the steps from here on. */
+  void set_dt(int64_t step, double dt);
 
   double stuck() const; /* how many particles are, now; collective */
   double worn_density(size_t shape) const;

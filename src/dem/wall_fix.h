@@ -200,26 +200,47 @@ public:
       this->print("fix " + this->id() + " wall/rebound: the wall is taken away; " + counts);
   }
 
-  /* At the set-up of a run; before the first step of one that has none (`run pre no`), since
-   * commands may have moved particles or changed their groups. */
-  void begin_run() {
+  /* At the set-up of a run; in the first step of one that has none (`run pre no`), since commands
+   * may have changed the groups of particles. */
+  void begin_run(bool is_setup) {
     set_rows();
-    list_bodies(true);
+    list_bodies(is_setup);
     attempt([&] { wall.begin_run(spheres(), this->fix_->groupbit, this->box()); });
     has_begun_ = true;
+  }
+
+  /* After the forces of a set-up, of which the engine has computed only its own. The last wall does
+   * it for all of them. Collective. */
+  void push_spheres() {
+    if (siblings_.back() != this)
+      return;
+    for (WallFix *fix : siblings_)
+      fix->set_rows();
+    push_again(steppers(), spheres());
+  }
+  void push_bodies() {
+    WallFix &first = *siblings_.front();
+    if (siblings_.back() != this || !first.bodies().any())
+      return;
+    if (Bodies *all = first.take_bodies()) {
+      push_again(steppers(), *all);
+      first.bodies().put(true, this->world());
+    }
   }
 
   /* All contacts of a step; the first wall works them out for all of them. */
   void step() {
     if (!leads())
       return;
+    const auto *update = this->program_->update;
     for (WallFix *fix : siblings_)
       if (!fix->has_begun_)
-        fix->begin_run();
+        fix->begin_run(false);
     try {
       const bool grow = particles_grow();
       for (WallFix *fix : siblings_) {
         fix->set_rows();
+        fix->wall.set_dt(update->ntimestep - 1, update->dt);
         if (grow)
           fix->wall.stepper.clear_ahead();
         fix->begin_step();
@@ -281,12 +302,17 @@ public:
       return;
     for (WallFix *fix : siblings_)
       fix->set_rows();
+    Spheres s = this->spheres();
     Bodies *all = take_bodies();
-    end_walls(steppers(), this->spheres());
+    s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
+    end_walls(steppers(), s);
     if (all) {
+      all->dt = s.dt;
       end_bodies(steppers(), *all);
       bodies().put(true, this->world());
     }
+    for (WallFix *fix : siblings_)
+      fix->wall.books.end_loads();
   }
 
   void end_run() {
@@ -399,9 +425,6 @@ public:
   }
   void post_integrate() override {
     wall_fix().step();
-  }
-  void reset_dt() override {
-    wall_fix().wall.reset_dt(this->update->ntimestep, this->update->dt);
   }
   double compute_scalar() override {
     return wall_fix().wall.books.counter(Books::N_IMPACTS);

@@ -122,6 +122,14 @@ void BodiesOfLammps::init() {
   }
 }
 
+bool BodiesOfLammps::stand_before(const Fix *fix) const {
+  const Modify *modify = lammps_->modify;
+  bool all = true;
+  for (int i = modify->nfix - 1; i >= 0 && modify->fix[i] != fix; i--)
+    all = all && std::find(fixes_.begin(), fixes_.end(), modify->fix[i]) == fixes_.end();
+  return all;
+}
+
 std::string BodiesOfLammps::remedy() const {
   const bool richardson = std::any_of(fixes_.begin(), fixes_.end(), [](const Fix *fix) {
     return strcmp(fix->style, "rigid/small") == 0;
@@ -157,16 +165,13 @@ void BodiesOfLammps::list(const std::vector<asperity::Stepper *> &walls, bool be
     }
   send_rows();
   list_spheres(numbers);
-  bodies_.begins = begins || bodies_.begins;
+  if (begins) {
+    is_checked_ = false;
+    bodies_.begins = true;
+    read();
+    bodies_.step++;
+  }
   asperity::claim_bodies(walls, bodies_, lammps_->world);
-  if (!begins)
-    return;
-  is_checked_ = false;
-  read(); /* the fix may have chosen other axes */
-  for (asperity::Stepper *wall : walls)
-    for (const asperity::StuckOne &one : wall->bodies.stuck)
-      memcpy(wall->body_rows.stuck(one.i).axes, bodies_.all[static_cast<size_t>(one.i)].axes,
-             sizeof bodies_.all[0].axes);
 }
 
 void BodiesOfLammps::send_rows() {

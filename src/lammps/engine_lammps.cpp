@@ -7,6 +7,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "group.h"
 #include "lammps.h"
 #include "modify.h"
 #include "update.h"
@@ -36,13 +37,19 @@ void EngineOfLammps::print(const std::string &what) const {
     utils::logmesg(program_, what + "\n");
 }
 
-/* The largest radius of a type that fixes pour or deposit will make, as pair styles ask for it; 0:
- * none. */
+/* A dynamic group may get any particle. */
+int EngineOfLammps::group() const {
+  return program_->group->dynamic[fix_->igroup] ? ~0 : fix_->groupbit;
+}
+
+/* The largest radius of a type that fixes pour or deposit will make for the wall's group, as pair
+ * styles ask for it; 0: none. They put particles into `all` and into their own group. */
 double EngineOfLammps::radius_to_come(int type) const {
   double most = 0;
   for (int i = 0; i < program_->modify->nfix; i++) {
     Fix *fix = program_->modify->fix[i];
-    if (strncmp(fix->style, "pour", 4) != 0 && strncmp(fix->style, "deposit", 7) != 0)
+    if ((strncmp(fix->style, "pour", 4) != 0 && strncmp(fix->style, "deposit", 7) != 0) ||
+        !((1 | fix->groupbit) & group()))
       continue;
     int asked = type;
     const double *radius = static_cast<const double *>(fix->extract("radius", asked));
@@ -54,27 +61,20 @@ double EngineOfLammps::radius_to_come(int type) const {
 
 /* For particles still to come, LAMMPS gives only the largest diameter of each type. */
 void EngineOfLammps::diameters(double &least, double &most) const {
-  double mine[2] = {-HUGE_VAL, 0}, all[2];
-  const Atom *atom = program_->atom;
-  for (int i = 0; i < atom->nlocal; i++) {
-    mine[0] = std::max(mine[0], -2 * atom->radius[i]);
-    mine[1] = std::max(mine[1], 2 * atom->radius[i]);
+  least = most = 0;
+  for (int type = 1; type <= types(); type++) {
+    const double d_p = 2 * radius_to_come(type);
+    if (!(d_p > 0))
+      continue;
+    least = most > 0 ? std::min(least, d_p) : d_p;
+    most = std::max(most, d_p);
   }
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const double radius = radius_to_come(type);
-    if (radius > 0) {
-      mine[0] = std::max(mine[0], -2 * radius);
-      mine[1] = std::max(mine[1], 2 * radius);
-    }
-  }
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, program_->world);
-  least = all[1] > 0 ? -all[0] : 0;
-  most = all[1];
+  asperity::add_diameters(EngineOf::spheres(), group(), world(), least, most);
 }
 
 std::vector<asperity::Engine::Kind> EngineOfLammps::kinds() const {
   std::vector<double> present;
   for (int type = 1; type <= types(); type++)
     present.push_back(radius_to_come(type));
-  return asperity::kinds_of(EngineOf::spheres(), fix_->groupbit, present, program_->world);
+  return asperity::kinds_of(EngineOf::spheres(), group(), present, world());
 }

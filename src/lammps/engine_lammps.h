@@ -25,6 +25,7 @@ public:
   std::vector<Kind> kinds() const override;
 
 private:
+  int group() const;
   double radius_to_come(int type) const;
 };
 

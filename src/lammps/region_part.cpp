@@ -38,8 +38,16 @@ RegionPart::RegionPart(Region *region, int number)
     AxisOf::read(region, origin_, axis_);
 }
 
+/* LAMMPS sets the shift only with `move`, and the angle only with `rotate`. */
 RegionPart::Pose RegionPart::pose() const {
-  return Pose{{region_->dx, region_->dy, region_->dz}, region_->theta};
+  Pose now = Pose();
+  if (region_->moveflag) {
+    const double shift[3] = {region_->dx, region_->dy, region_->dz};
+    aspi_copy(shift, now.shift);
+  }
+  if (region_->rotateflag)
+    now.angle = region_->theta;
+  return now;
 }
 
 /* The turn, then the displacement. */

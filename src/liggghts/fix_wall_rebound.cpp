@@ -36,7 +36,7 @@ using asperity::Words;
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
-    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), fix_state_(NULL) {
+    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false), fix_state_(NULL) {
   check_id();
   check_particles();
   check_box();
@@ -133,7 +133,7 @@ std::string FixWallRebound::read_meshes(Words &words) {
 }
 
 int FixWallRebound::setmask() {
-  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | END_OF_STEP | POST_RUN;
+  return PRE_INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | END_OF_STEP | POST_RUN;
 }
 
 std::string FixWallRebound::state_id() const {
@@ -226,11 +226,20 @@ std::string FixWallRebound::how_to_state(const char *name, bool pairs,
               values.c_str());
 }
 
-/* Diameters of particles that there are, and of the templates. */
+/* Of the group's particles, and of all that fixes will insert: their groups are those of templates,
+ * which insertions do not tell. */
 void FixWallRebound::diameters(double &least, double &most) const {
-  modify->max_min_rad(most, least);
-  least = most > 0 ? 2 * least : 0;
-  most *= 2;
+  least = most = 0;
+  for (int i = 0; i < modify->nfix; i++)
+    for (int type = 1; type <= atom->ntypes; type++) {
+      const double small = 2 * modify->fix[i]->min_rad(type),
+                   large = 2 * modify->fix[i]->max_rad(type);
+      if (!(large > 0))
+        continue;
+      least = most > 0 ? std::min(least, small) : small;
+      most = std::max(most, large);
+    }
+  asperity::add_diameters(EngineOf::spheres(), groupbit, Fix::world, least, most);
 }
 
 std::vector<asperity::Engine::Kind> FixWallRebound::kinds() const {
@@ -349,8 +358,18 @@ void FixWallRebound::setup(int) {
         print("fix " + id() + " wall/rebound: " + report);
     }
   });
-  begin_run();
+  begin_run(true);
+  is_set_up_ = true;
   show_maps();
+}
+
+/* All fixes have set up their forces. */
+void FixWallRebound::pre_initial_integrate() {
+  if (!is_set_up_)
+    return;
+  is_set_up_ = false;
+  push_spheres();
+  attempt([this] { push_bodies(); });
 }
 
 void FixWallRebound::begin_step() {

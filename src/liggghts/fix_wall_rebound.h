@@ -40,6 +40,7 @@ public:
   void pre_delete(bool unfixflag) override;
   void init() override;
   void setup(int vflag) override;
+  void pre_initial_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
   void pre_force(int vflag) override;
@@ -97,6 +98,7 @@ private:
   std::vector<std::string> mesh_ids_;
   std::vector<MeshOfLiggghts *> meshes_; /* the wall's shapes; empty: a primitive wall */
   int wall_type_[2];                     /* least and largest */
+  bool is_set_up_; /* and no step yet */
   class FixPropertyAtom *fix_state_;
   std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
 };

@@ -163,6 +163,8 @@ struct Grains {
     torque.assign(torque.size(), 0.);
     kick();
     end_walls(steppers(), spheres());
+    for (Wall *wall : walls)
+      wall->books.end_loads();
   }
   void fly(int steps) {
     for (int k = 0; k < steps; k++) {

@@ -98,6 +98,18 @@ static void deleted(void **) {
   assert_says(add_rows(file, 2, 3), "deleted");
 }
 
+/* Rows behind a part that another program has cut off would follow NUL bytes. */
+static void cut_short(void **) {
+  const std::string path = folder + "/cut_short.csv";
+  LedgerFile file(path, LedgerColumn::N_COLUMNS);
+  file.open(LedgerState(), "heading");
+  assert_written(add_rows(file, 1, 3));
+  const std::string whole = contents(path), part = whole.substr(0, whole.size() - 5);
+  assert_int_equal(truncate(path.c_str(), static_cast<off_t>(part.size())), 0);
+  assert_says(add_rows(file, 2, 3), "another program has cut it from");
+  assert_true(contents(path) == part);
+}
+
 static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved) {
   try {
     file.open(saved, "heading");
@@ -196,7 +208,7 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk),    cmocka_unit_test(deleted),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk),    cmocka_unit_test(deleted), cmocka_unit_test(cut_short),
                                      cmocka_unit_test(every_length), cmocka_unit_test(two_walls),
                                      cmocka_unit_test(no_file),      cmocka_unit_test(long_tags),
                                      cmocka_unit_test(links)};

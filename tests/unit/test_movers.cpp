@@ -214,6 +214,7 @@ public:
   void begin() { /* when all are there */
     set_forces();
     grains_.begin({wall_.get()});
+    bodies_.step = 1;
     claim_bodies({&wall_->stepper}, bodies_, MPI_COMM_WORLD);
   }
 
@@ -241,6 +242,7 @@ public:
     kick();
     end_walls(grains_.steppers(), grains_.spheres());
     end_bodies(grains_.steppers(), bodies_);
+    wall_->books.end_loads();
   }
 
   State state(size_t i) const {

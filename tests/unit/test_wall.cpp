@@ -291,6 +291,7 @@ std::vector<double> times_of_removal(double dt) {
       rows.stuck(i) = Stuck();
       rows.stuck(i).shape = 1;
       rows.stuck(i).sphere = i + 1;
+      rows.stuck(i).at[2] = grains.x[3 * i + 2] = d / 2;
     }
     walls[half]->stepper.reorder(grains.spheres());
     for (int step = 0; step < lround(0.5 / dt); step++) {

@@ -23,7 +23,7 @@ const char *const Books::SUM_NAMES[] = {"impacts",        "deposited_mass",     
 static const size_t SHOWN = 32768;
 
 Books::Books(const Setup &setup)
-    : setup_(setup), states_(NULL), counters_(), kept_(), torque_about_() {}
+    : setup_(setup), states_(NULL), counters_(), kept_(), step_(), torque_about_() {}
 
 void Books::add_shape() {
   const size_t size = setup_.shapes.back().pieces * N_SUMS;
@@ -120,9 +120,19 @@ void Books::begin_step(int64_t step) {
     for (int d = 0; d < 3; d++)
       states_[i].force[d] = states_[i].point[d] = 0;
   loaded_.clear();
-  std::fill(counters_ + FORCE, counters_ + TORQUE + 3, 0.0);
   if (ledger_)
     ledger_->begin_step(step);
+}
+
+/* Force and torque are the impulses of the whole step over its length, which may be 0. */
+void Books::end_loads() {
+  const double rate = setup_.dt > 0 ? 1 / setup_.dt : 0;
+  for (int d = 0; d < 3; d++) {
+    counters_[FORCE + d] = rate * step_.p[d];
+    counters_[TORQUE + d] = rate * step_.turn[d];
+  }
+  step_ = Impulses();
+  expire();
 }
 
 void Books::end_step(int64_t step) {
@@ -166,12 +176,10 @@ Books::Impulses Books::impulses_at(const double point[3], const double p[3]) con
 }
 
 void Books::add_impulses(const Impulses &all) {
-  for (int d = 0; d < 3; d++) {
-    counters_[FORCE + d] += all.p[d];
-    counters_[TORQUE + d] += all.turn[d];
-    counters_[IMPULSE + d] += all.p[d];
-    counters_[ANGULAR_IMPULSE + d] += all.turn[d];
-  }
+  aspi_add_scaled(step_.p, 1, all.p, step_.p);
+  aspi_add_scaled(step_.turn, 1, all.turn, step_.turn);
+  aspi_add_scaled(counters_ + IMPULSE, 1, all.p, counters_ + IMPULSE);
+  aspi_add_scaled(counters_ + ANGULAR_IMPULSE, 1, all.turn, counters_ + ANGULAR_IMPULSE);
 }
 
 void Books::keep_load(int i, const double x[3], const double v[3], double mass) {
@@ -285,8 +293,7 @@ double Books::number(size_t k) const {
 }
 
 double Books::counter(int k) const {
-  const double sum = number(static_cast<size_t>(k));
-  return k >= FORCE && k < TORQUE + 3 && setup_.dt > 0 ? sum / setup_.dt : sum;
+  return number(static_cast<size_t>(k));
 }
 
 double Books::total(size_t shape, int k) const {

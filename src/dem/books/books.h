@@ -43,7 +43,7 @@ public:
     N_LATER_HITS,
     N_CAPPED,
     N_GUARDED,
-    FORCE,              /* on the wall, in the last step: three numbers */
+    FORCE,              /* on the wall, in the last step that has ended: three numbers */
     TORQUE = FORCE + 3, /* the torque about the point of `torque_about` */
     DISSIPATED = TORQUE + 3,
     ERODED,
@@ -86,7 +86,9 @@ public:
   }
   void reorder(int n);
 
+  /* Until end_loads(), FORCE and TORQUE are those of the step before. */
   void begin_step(int64_t step);
+  void end_loads();
   /* An impact, with its load. */
   void count(const Impact &impact);
   void add_load(size_t shape, const ContactLoad &load);
@@ -157,8 +159,8 @@ private:
   std::vector<int> loaded_; /* particles with a force */
   std::vector<ShapeSums> shapes_;
   std::unique_ptr<Ledger> ledger_;
-  double counters_[N_COUNTERS]; /* force and torque as impulses */
-  Impulses kept_;               /* of the loads that are kept */
+  double counters_[N_COUNTERS];
+  Impulses kept_, step_;        /* of the loads that are kept; of this step so far */
   double torque_about_[3];
   mutable std::vector<double> numbers_; /* counters and totals of all ranks; empty: out of date */
 };

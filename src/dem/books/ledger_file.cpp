@@ -14,6 +14,7 @@
 
 #include "base/number.h"
 #include "dem/error.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
@@ -205,22 +206,30 @@ std::string LedgerFile::write(const char *bytes, size_t length) {
 
 /* Back to the windows that have ended. */
 std::string LedgerFile::take_back() {
-  torn_ = ftruncate(fd_, bytes_) != 0;
+  torn_ = size() > bytes_ && ftruncate(fd_, bytes_) != 0;
   return torn_ ? strerror(errno) : "";
 }
 
-/* Rows that go to a file without a name are gone with it. */
-bool LedgerFile::is_deleted() const {
+/* What another program has done to the file: rows that go to a file without a name are gone with
+ * it, and rows behind a missing part would follow NUL bytes. */
+std::string LedgerFile::damage() const {
   struct stat is;
-  return fstat(fd_, &is) == 0 && is.st_nlink == 0;
+  if (fstat(fd_, &is) != 0)
+    return "";
+  if (is.st_nlink == 0)
+    return "it has been deleted";
+  if (is.st_size < bytes_)
+    return text("another program has cut it from %lld to %lld bytes",
+                static_cast<long long>(bytes_), static_cast<long long>(is.st_size));
+  return "";
 }
 
 std::string LedgerFile::commit(const std::vector<char> &bytes, int64_t rows) {
   std::string why = torn_ ? take_back() : "";
   if (why.empty())
+    why = damage();
+  if (why.empty())
     why = write(bytes.data(), bytes.size());
-  if (why.empty() && is_deleted())
-    why = "it has been deleted";
   if (!why.empty()) {
     take_back();
     return why;

@@ -82,7 +82,7 @@ private:
 
   std::string write(const char *bytes, size_t length);
   std::string take_back();
-  bool is_deleted() const;
+  std::string damage() const;
 
   std::string path_;
   int columns_;

@@ -33,8 +33,7 @@ const double RESTING_WAY = 0.25;
 /* The first predictions are of this many lengths, so that they do not all expire in one step. */
 const int LENGTHS = 8;
 
-/* Distance per step by which a particle may stray from its predicted path, in radii of the smallest
- * particle. */
+/* Distance per step by which a particle may stray from its predicted path, in radii. */
 const double STRAY = 2e-3;
 
 /* Walls may move farther in a step than so far by this factor before predictions are made anew. */
@@ -49,24 +48,23 @@ const double COMPONENT = 0.577;
 } // namespace
 
 Ahead::Ahead(const Setup &setup, const Memories &rows, bool are_bodies)
-    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), travel_(0), stray_(0),
-      bend_(0) {}
+    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), travel_(0) {}
 
-void Ahead::setup(double least) {
-  stray_ = STRAY * 0.5 * least;
-  travel_ = 0;
-  bend_ = BEND * stray_;
+double Ahead::bend(double radius) {
+  return BEND * STRAY * radius;
 }
 
 void Ahead::clear() {
   now_ = 0;
   std::fill(due_.begin(), due_.end(), 0);
+  stray_.clear();
 }
 
 void Ahead::reorder(const Spheres &s) {
   const size_t n = static_cast<size_t>(s.n);
   if (!setup_.repeats())
     clear();
+  stray_.clear();
   due_.resize(n);
   v_.resize(3 * n);
   tag_.resize(n, -1);
@@ -80,7 +78,7 @@ void Ahead::reorder(const Spheres &s) {
 }
 
 size_t Ahead::bytes() const {
-  return due_.capacity() * sizeof(int) + v_.capacity() * sizeof(float) +
+  return due_.capacity() * sizeof(int) + (v_.capacity() + stray_.capacity()) * sizeof(float) +
          tag_.capacity() * sizeof(int64_t);
 }
 
@@ -99,6 +97,13 @@ static bool any_due(const int *due, int n, int now) {
   return over > 0;
 }
 
+/* A block is screened by what its smallest particle may stray. */
+void Ahead::find_strays(const Spheres &s) {
+  for (int first = 0; first < s.n; first += BLOCK)
+    stray_.push_back(static_cast<float>(
+        STRAY * *std::min_element(s.radius + first, s.radius + std::min(first + BLOCK, s.n))));
+}
+
 /* Most particles have a valid prediction that they are too far away; it holds while their velocity
  * stays near the predicted one. */
 void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
@@ -112,31 +117,44 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
   if (now_ > INT_MAX / 2)
     clear(); /* before the count of steps could overflow */
   now_++;
-  const float most = static_cast<float>(COMPONENT * stray_ / s.dt);
+  if (stray_.empty())
+    find_strays(s);
+  const float share = static_cast<float>(COMPONENT / s.dt);
   for (int first = 0; first < s.n; first += BLOCK) {
     const int count = std::min(BLOCK, s.n - first);
+    const float most = share * stray_[static_cast<size_t>(first / BLOCK)];
     const double *v = s.v + 3 * static_cast<size_t>(first);
     const float *along = v_.data() + 3 * static_cast<size_t>(first);
     const int *due = due_.data() + first;
     if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, now_))
       continue;
-    for (int i = 0; i < count; i++)
-      if ((due[i] <= now_ || any_strays(v + 3 * i, along + 3 * i, 3, most)) && look(s, first + i))
+    for (int i = 0; i < count; i++) {
+      const float own = share * static_cast<float>(STRAY * s.radius[first + i]);
+      if ((due[i] <= now_ || any_strays(v + 3 * i, along + 3 * i, 3, own)) && look(s, first + i))
         near.push_back(Near{first + i, number});
+    }
   }
 }
 
-/* The faces of a shape at which a particle rests: its way ends at them, but in the first step of a
- * run, for which no wall has held it. */
-FaceList Ahead::faces(int i, size_t shape) const {
+/* The faces of a shape at which a particle rests: its way ends at them, unless a command of the
+ * script has given it another velocity or place before the first step of a run. */
+FaceList Ahead::faces(const Spheres &s, int i, size_t shape) const {
   static_assert(RESTS_MOST <= sizeof(FaceList::face) / sizeof(int), "all rests are faces");
-  FaceList faces = {0, {0, 0, 0}};
+  FaceList faces = FaceList();
+  const size_t at = 3 * static_cast<size_t>(i);
   const Memory *of = rows_.find(i);
-  if (are_bodies_ || !(now_ > 1) || rows_.status(i) != Status::RESTING || !of)
+  if (are_bodies_ || rows_.status(i) != Status::RESTING || !of)
     return faces;
-  for (const Rest &rest : of->rests)
-    if (static_cast<size_t>(rest.shape) == shape + 1)
-      faces.face[faces.count++] = static_cast<int>(rest.face);
+  for (const Rest &rest : of->rests) {
+    const int face = static_cast<int>(rest.face);
+    Contact end = Contact();
+    double distance;
+    if (static_cast<size_t>(rest.shape) == shape + 1 &&
+        (now_ > 1 || (setup_.shapes[shape].shape->under(face, s.x + at, s.v + at, 2 * s.radius[i],
+                                                        end, distance) &&
+                      s.radius[i] - distance < OVERLAP * s.radius[i])))
+      faces.face[faces.count++] = face;
+  }
   return faces;
 }
 
@@ -170,12 +188,13 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
     course.v[d] = v[d] * s.dt;
     course.x[d] = x[d] - course.v[d];
   }
-  course.widen = stray_ + bend_ + FLT_EPSILON * aspi_length(course.v) + travel_;
+  course.widen =
+      STRAY * s.radius[i] + bend(s.radius[i]) + FLT_EPSILON * aspi_length(course.v) + travel_;
   course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
   if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
         std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
   for (size_t m = 0; m < setup_.shapes.size(); m++)
-    course.most = setup_.shapes[m].shape->clear(course, faces(i, m));
+    course.most = setup_.shapes[m].shape->clear(course, faces(s, i, m));
   return static_cast<int>((1 - ROUNDING) * course.most);
 }

@@ -25,10 +25,12 @@ public:
   /* Bodies are the spheres that have all of them. */
   Ahead(const Setup &setup, const Memories &rows, bool are_bodies);
 
-  /* Before a run. least: the smallest diameter. */
-  void setup(double least);
+  void begin_run() {
+    travel_ = 0;
+    clear();
+  }
 
-  /* Discards all predictions. */
+  /* Discards all predictions, as after radii have changed. */
   void clear();
 
   /* Discards predictions of atoms that changed index, and all of them if a wall does not repeat
@@ -45,15 +47,15 @@ public:
     due_[i] = 0;
   }
 
-  /* How far sustained contacts may bend a particle's way within a step. */
-  double bend() const {
-    return bend_;
-  }
+  /* How far sustained contacts may bend the way of a particle within a step. */
+  static double bend(double radius);
+
   size_t bytes() const;
 
 private:
+  void find_strays(const Spheres &spheres);
   bool look(const Spheres &spheres, int i);
-  FaceList faces(int i, size_t shape) const;
+  FaceList faces(const Spheres &spheres, int i, size_t shape) const;
   int steps_clear(const Spheres &spheres, int i) const;
 
   const Setup &setup_;
@@ -65,9 +67,8 @@ private:
   std::vector<int> due_;
   std::vector<float> v_;     /* rows of three */
   std::vector<int64_t> tag_; /* of whom this is */
+  std::vector<float> stray_; /* of each block: how far its particles may stray in a step */
   double travel_;            /* of a shape in a step, at most */
-  double stray_;             /* how far a particle may stray from its predicted path in a step */
-  double bend_;
 };
 
 } // namespace asperity

@@ -39,6 +39,26 @@ Spheres Bodies::bounds() {
   return s;
 }
 
+/* Bodies are as the engine has them: it may have chosen other axes, and a body that is stuck to a
+ * shape that is gone stays where it is. */
+static void begin_run(Stepper &wall, Bodies &bodies, bool is_first) {
+  wall.bodies.begin_run(wall.setup, bodies.bounds());
+  for (size_t b = 0; b < bodies.all.size(); b++) {
+    const Mover mover(bodies, b);
+    const Body &body = bodies.all[b];
+    if (is_first)
+      wall.body_rows.set_attitude(mover.i, bodies.step, body.axes);
+    if (!wall.body_rows.is_stuck(mover.i))
+      continue;
+    Stuck &at = wall.body_rows.stuck(mover.i);
+    memcpy(at.axes, body.axes, sizeof at.axes);
+    if (!(at.shape >= 1)) {
+      arm_of(body, mover.anchor(at), at.at);
+      aspi_add_scaled(at.at, 1, body.x, at.at);
+    }
+  }
+}
+
 void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm world) {
   std::vector<int64_t> tags;
   for (Body &body : bodies.all) {
@@ -53,19 +73,8 @@ void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies,
   for (Stepper *wall : walls) {
     wall->body_rows.claim(tags, world);
     if (bodies.begins)
-      wall->bodies.begin_run(wall->setup, bodies.bounds());
-    for (size_t b = 0; b < tags.size() && bodies.begins; b++)
-      if (wall->body_rows.is_stuck(static_cast<int>(b))) {
-        const Mover mover(bodies, b);
-        Stuck &at = wall->body_rows.stuck(mover.i);
-        const BodySphere &one = mover.anchor(at);
-        if (!(at.shape >= 1)) { /* it stays where it is before the engine moves it */
-          arm_of(bodies.all[b], one, at.at);
-          aspi_add_scaled(at.at, 1, bodies.all[b].x, at.at);
-          memcpy(at.axes, bodies.all[b].axes, sizeof at.axes);
-        }
-      }
-    wall->bodies.list(bodies.bounds());
+      begin_run(*wall, bodies, wall == walls[0]);
+    wall->bodies.list(bodies.bounds(), wall->setup.groupbit);
   }
 }
 

@@ -38,7 +38,7 @@ struct Body {
 /* The bodies of this rank. */
 class Bodies {
 public:
-  int64_t step;
+  int64_t step; /* this one; before the first of a run, that */
   double dt;
   bool begins; /* the run, with this step */
   std::vector<Body> all;
@@ -125,6 +125,9 @@ void claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm 
 
 /* All contacts of the bodies in a step, after step_walls(). */
 void step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
+
+/* As for grains. */
+void push_again(const std::vector<Stepper *> &walls, Bodies &bodies);
 
 /* The end of a step, after its forces: stuck bodies get their wall's velocity, and walls hold those
  * that rest. */

@@ -23,10 +23,10 @@ namespace {
 
 typedef std::vector<Stepper *> Walls;
 
-/* A sphere rests at a face while the gap between them is less than GAP radii, or it overlaps by
- * less than OVERLAP; less than ROUNDED_OFF is rounding. It leaves a face that does not press it if
- * it moves off by more than PARTS radii in a step. */
-const double GAP = 0.01, OVERLAP = 1e-5, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
+/* A sphere rests at a face while the gap between them is less than GAP radii; less than ROUNDED_OFF
+ * is rounding. It leaves a face that does not press it if it moves off by more than PARTS radii in
+ * a step. */
+const double GAP = 0.01, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
 
 /* Cosine below which two directions are at right angles. */
 const double ACROSS = 1e-9;
@@ -77,16 +77,25 @@ bool meet_face(Flight &flight, Touch &touch, double &hold, bool &sticks) {
   return true;
 }
 
+/* The accelerations that the walls give a mover until the middle of the next step. */
+void sum_pushes(const Walls &walls, const Mover &mover, double push[3], double twist[3]) {
+  aspi_copy(NONE, push);
+  aspi_copy(NONE, twist);
+  for (Stepper *wall : walls)
+    for (const Rest &rest : mover.at(*wall).rests()) {
+      aspi_add_scaled(push, 1, rest.push, push);
+      aspi_add_scaled(twist, 1, rest.twist, twist);
+    }
+}
+
 /* What holds a mover; the next one uses the same lists. */
 struct Resting {
   std::vector<Touch> held;
   std::vector<Support> supports;
 
   /* alpha: the mover's angular acceleration. Changes the flight's velocity and spin to those of the
-   * end of the step, and gives the accelerations that the walls add until the middle of the next
-   * one. True: it has stuck. */
-  bool hold(const Walls &walls, Flight &flight, const double alpha[3], double push[3],
-            double twist[3], Touch &stuck);
+   * end of the step. True: it has stuck. */
+  bool hold(const Walls &walls, Flight &flight, const double alpha[3], Touch &stuck);
 
 private:
   bool find(const Walls &walls, Flight &flight, const double v[3], const double spin[3],
@@ -159,8 +168,6 @@ void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
     const AtWall of = mover.at(*wall);
     std::vector<Rest> &rests = of.rests();
     const size_t were = rests.size();
-    if (were == 0)
-      continue;
     rests.clear();
     for (size_t k = 0; k < held.size(); k++) {
       const Support &support = supports[k];
@@ -172,7 +179,9 @@ void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
       rest.shape = static_cast<double>(held[k].shape) + 1;
       rest.face = held[k].contact.face;
       aspi_copy(support.p, rest.push);
+      twist_of(mover, support, rest.twist);
       aspi_scale(1 / flight.dt, rest.push);
+      aspi_scale(1 / flight.dt, rest.twist);
       add_load(flight, held[k], support, v, spin);
     }
     if (rests.size() < were)
@@ -182,16 +191,13 @@ void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
   }
 }
 
-bool Resting::hold(const Walls &walls, Flight &flight, const double alpha[3], double push[3],
-                   double twist[3], Touch &stuck) {
+bool Resting::hold(const Walls &walls, Flight &flight, const double alpha[3], Touch &stuck) {
   double before[3], turning[3], v[3], spin[3];
   stuck.wall = NULL;
   do {
     aspi_add_scaled(flight.begin, 0.5 * flight.dt, flight.free, before);
     aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, turning);
   } while (!find(walls, flight, before, turning, stuck) && !stuck.wall);
-  for (int d = 0; d < 3; d++)
-    push[d] = twist[d] = 0;
   if (stuck.wall)
     return true;
   aspi_copy(before, v);
@@ -206,8 +212,6 @@ bool Resting::hold(const Walls &walls, Flight &flight, const double alpha[3], do
   aspi_subtract(v, before, v);
   aspi_subtract(spin, turning, spin);
   aspi_add_scaled(flight.begin, 0.5, v, flight.begin);
-  aspi_add_scaled(push, 1 / flight.dt, v, push);
-  aspi_add_scaled(twist, 1 / flight.dt, spin, twist);
   aspi_add_scaled(flight.spin, 0.5, spin, flight.spin);
   return false;
 }
@@ -304,28 +308,47 @@ static void balance(Stepper &wall, Bodies &bodies, int i) {
   body.is_changed = true;
 }
 
+/* Adds what walls give a mover to the forces that act on it. */
+static void push_one(const Walls &walls, const Spheres &s, int i) {
+  const size_t at = 3 * static_cast<size_t>(i);
+  double push[3], twist[3];
+  sum_pushes(walls, Mover(s, i), push, twist);
+  aspi_add_scaled(s.f + at, s.mass[i], push, s.f + at);
+  if (s.torque)
+    aspi_add_scaled(s.torque + at, 0.4 * s.mass[i] * s.radius[i] * s.radius[i], twist,
+                    s.torque + at);
+}
+
+static void push_one(const Walls &walls, Bodies &bodies, int i) {
+  Body &body = bodies.all[static_cast<size_t>(i)];
+  const Mover mover(bodies, static_cast<size_t>(i));
+  double push[3], twist[3], torque[3];
+  sum_pushes(walls, mover, push, twist);
+  aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
+  mover.momentum_of(twist, torque);
+  aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
+  body.is_changed = true;
+}
+
 /* A grain that rests at these walls. */
 static void end_one(const Walls &walls, const Spheres &s, int i, Resting &resting) {
   Mover mover(s, i);
   Flight flight(mover, s, *walls[0]);
   Touch stuck;
   const size_t at = 3 * static_cast<size_t>(i);
-  const double inertia = 0.4 * s.mass[i] * s.radius[i] * s.radius[i];
-  double alpha[3] = {0, 0, 0}, push[3], twist[3];
+  double alpha[3] = {0, 0, 0};
   flight.put_at_end(s.x + at);
   if (s.torque)
-    aspi_add_scaled(alpha, 1 / inertia, s.torque + at, alpha);
-  if (resting.hold(walls, flight, alpha, push, twist, stuck))
+    aspi_add_scaled(alpha, 1 / (0.4 * s.mass[i] * s.radius[i] * s.radius[i]), s.torque + at, alpha);
+  if (resting.hold(walls, flight, alpha, stuck))
     leave_stuck(flight, stuck, s);
   count_events(flight);
   if (stuck.wall)
     return;
   aspi_copy(flight.begin, s.v + at);
-  aspi_add_scaled(s.f + at, s.mass[i], push, s.f + at);
   if (s.omega)
     aspi_copy(flight.spin, s.omega + at);
-  if (s.torque)
-    aspi_add_scaled(s.torque + at, inertia, twist, s.torque + at);
+  push_one(walls, s, i);
 }
 
 static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting) {
@@ -333,39 +356,33 @@ static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting)
   Mover mover(bodies, static_cast<size_t>(i));
   Flight flight(mover, bodies, *walls[0]);
   Touch stuck;
-  double torque[3], alpha[3], push[3], twist[3];
+  double torque[3], alpha[3];
   flight.put_at_end(body.x);
   aspi_copy(body.torque, torque);
   aspi_scale(1 / mover.mass, torque);
   mover.spin_of(torque, alpha);
-  const bool sticks = resting.hold(walls, flight, alpha, push, twist, stuck);
+  const bool sticks = resting.hold(walls, flight, alpha, stuck);
   body.is_changed = true;
   count_events(flight);
   aspi_copy(flight.begin, body.v);
   mover.momentum_of(flight.spin, body.angular_momentum);
   aspi_scale(mover.mass, body.angular_momentum);
-  if (sticks) {
+  if (sticks)
     leave_stuck(flight, stuck, bodies);
-    return;
-  }
-  aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
-  mover.momentum_of(twist, torque);
-  aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
+  else
+    push_one(walls, bodies, i);
 }
 
-template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
+/* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
+template <class Kind, class Act>
+static void for_resting(const Walls &walls, Kind &kind, Act act) {
   std::vector<Near> all;
   Walls held_by;
-  Resting resting;
   for (size_t w = 0; w < walls.size(); w++) {
-    Members &of = walls[w]->members(kind);
-    walls[w]->hold_stuck(kind);
+    const Members &of = walls[w]->members(kind);
     for (int i : of.touching)
-      if (of.rows.status(i) == Status::RESTING) {
-        if (!is_stuck(walls, kind, i))
-          all.push_back(Near{i, static_cast<int>(w)});
-      } else if (of.rows.status(i) == Status::REBOUNDED)
-        balance(*walls[w], kind, i);
+      if (of.rows.status(i) == Status::RESTING && !is_stuck(walls, kind, i))
+        all.push_back(Near{i, static_cast<int>(w)});
   }
   if (!std::is_sorted(all.begin(), all.end()))
     std::sort(all.begin(), all.end());
@@ -374,8 +391,29 @@ template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
     held_by.clear();
     for (; k < all.size() && all[k].i == i; k++)
       held_by.push_back(walls[all[k].wall]);
-    end_one(held_by, kind, i, resting);
+    act(held_by, i);
   }
+}
+
+template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
+  Resting resting;
+  for (Stepper *wall : walls) {
+    Members &of = wall->members(kind);
+    wall->hold_stuck(kind);
+    for (int i : of.touching)
+      if (of.rows.status(i) == Status::REBOUNDED)
+        balance(*wall, kind, i);
+  }
+  for_resting(walls, kind,
+              [&](const Walls &held_by, int i) { end_one(held_by, kind, i, resting); });
+}
+
+void asperity::push_again(const Walls &walls, const Spheres &s) {
+  for_resting(walls, s, [&](const Walls &held_by, int i) { push_one(held_by, s, i); });
+}
+
+void asperity::push_again(const Walls &walls, Bodies &bodies) {
+  for_resting(walls, bodies, [&](const Walls &held_by, int i) { push_one(held_by, bodies, i); });
 }
 
 void asperity::end_walls(const Walls &walls, const Spheres &s) {

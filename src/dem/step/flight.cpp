@@ -89,7 +89,7 @@ Flight::Flight(Mover &m, const Bodies &bodies, Stepper &first)
   aspi_copy(body.angular_momentum, momentum);
   aspi_scale(1 / m.mass, momentum);
   const Memory *memory = first.body_rows.find(m.i);
-  if (!bodies.begins && memory && !memory->attitude.empty() &&
+  if (memory && !memory->attitude.empty() &&
       static_cast<int64_t>(memory->attitude[0].step) == step)
     memcpy(start.axes, memory->attitude[0].axes, sizeof start.axes);
   else

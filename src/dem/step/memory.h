@@ -14,6 +14,9 @@
 
 namespace asperity {
 
+/* A sphere that rests at a face overlaps it by less, in radii. */
+const double OVERLAP = 1e-5;
+
 /* Relative rounding of velocities, times and distances that are compared. */
 const double ROUNDING = 1e-9;
 
@@ -45,12 +48,12 @@ struct Stuck {
   double is_kept; /* 1: the books keep its load, and its force is that of a whole step */
 };
 
-/* A face of a shape at which a sphere rests, and by what the wall accelerates it, or its body,
- * there. */
+/* A face of a shape at which a sphere rests, and the accelerations that the wall gives its mover
+ * there: linear, and angular. */
 struct Rest {
   double sphere; /* its tag */
   double shape;  /* from 1 */
-  double face, push[3];
+  double face, push[3], twist[3];
 };
 
 /* The energy of a rebound, at a piece of a shape (from 0): v_n^2 at the end of the step is square +
@@ -73,7 +76,7 @@ struct FacePlace {
  * into it, as long as the valley is not drawn. */
 const double AT_BOTTOM = 0, TO_DRAW = 1;
 
-/* A body's axes at the end of a step, from 1. */
+/* A body's axes at the beginning of a step. */
 struct Attitude {
   double step, axes[3][3];
 };
@@ -126,6 +129,12 @@ struct Memories {
   }
   /* Only the list of the present status has something in it. */
   void set_status(int i, Status now);
+  /* It is not the wall's any more: only the number of its impacts stays. */
+  void forget(int i) {
+    set_status(i, Status::FREE);
+    if (Memory *of = find(i))
+      of->faces.clear();
+  }
   size_t bytes() const;
 
   /* As engines move their particles. A packed memory begins with how many numbers it has; pack and
@@ -178,6 +187,8 @@ public:
     return restored_;
   }
 
+  void set_attitude(int b, int64_t step, const double axes[3][3]);
+
 private:
   static void write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
                     std::vector<double> &to);
@@ -193,10 +204,12 @@ private:
 const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
+const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
 const int PACKED_MOST =
-    7 + static_cast<int>((FACES_MOST * sizeof(FacePlace) + sizeof(Stuck)) / sizeof(double));
-static_assert(sizeof(Rebound) <= sizeof(Stuck) && RESTS_MOST * sizeof(Rest) <= sizeof(Stuck),
-              "the longest list is that of a stuck one");
+    7 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
+                          (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
+                         sizeof(double));
+static_assert(sizeof(Rebound) <= sizeof(Stuck), "the longest list is that of a stuck or resting one");
 
 } // namespace asperity
 

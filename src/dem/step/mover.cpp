@@ -43,8 +43,10 @@ bool AtWall::rests_at(int64_t sphere, size_t shape, int face) const {
 }
 
 void AtWall::rest_at(int64_t sphere, size_t shape, int face) const {
-  const Rest made = {
-      static_cast<double>(sphere), static_cast<double>(shape) + 1, static_cast<double>(face), {}};
+  Rest made = Rest();
+  made.sphere = static_cast<double>(sphere);
+  made.shape = static_cast<double>(shape) + 1;
+  made.face = face;
   if (rests_at(sphere, shape, face))
     return;
   own();

@@ -478,13 +478,15 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
  */
 
 /* All contacts of one mover in this step. near: the walls that it may touch on its known way. True
- * where it has met any; stuck: where it has stuck. */
+ * if any of them changes its way, which sliding along walls where it rests does not; stuck: where
+ * it has stuck. */
 static bool fly(const Walls &walls, const Walls &near, Flight &flight, double most, Touch &stuck) {
   const Mover &mover = flight.mover;
   const int series_most = SERIES * static_cast<int>(mover.count);
   const double known_way[3] = {flight.path.v[0], flight.path.v[1], flight.path.v[2]};
   std::vector<Touch> touches;
   Touch last;
+  bool only_slid = true;
   int series = 0, all = 0, by = -1;
   stuck.wall = NULL;
   for (Stepper *wall : walls)
@@ -505,10 +507,11 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
     last = touches[0];
     bool slid;
     by = meet(flight, touches, series > series_most, slid);
+    only_slid = only_slid && slid;
     if (!slid || flight.has_strayed(known_way, most))
       search_all(walls, flight);
   }
-  if (all == 0)
+  if (only_slid && series < 2 * series_most)
     return false;
   const bool endless = by < 0 && series == 2 * series_most;
   if (flight.squeezed || (endless && mover.is_ball && flight.events.size() > flight.series_begin)) {
@@ -573,7 +576,7 @@ static void fly_one(const Walls &walls, const Walls &near, const Spheres &s, int
   Flight flight(mover, s, *walls[0]);
   Touch stuck;
   const size_t at = 3 * static_cast<size_t>(i);
-  if (!fly(walls, near, flight, near[0]->grains.ahead.bend() / s.dt, stuck))
+  if (!fly(walls, near, flight, Ahead::bend(s.radius[i]) / s.dt, stuck))
     return;
   if (stuck.wall)
     leave_stuck(flight, stuck, s);
@@ -679,12 +682,8 @@ void asperity::step_walls(const Walls &walls, const Spheres &s) {
 
 void asperity::step_bodies(const Walls &walls, Bodies &bodies) {
   step_movers(walls, bodies);
-  for (size_t b = 0; b < bodies.all.size(); b++) {
-    std::vector<Attitude> &now = walls[0]->body_rows.own(static_cast<int>(b)).attitude;
-    now.resize(1);
-    now[0].step = static_cast<double>(bodies.step) + 1;
-    memcpy(now[0].axes, bodies.all[b].axes, sizeof now[0].axes);
-  }
+  for (size_t b = 0; b < bodies.all.size(); b++)
+    walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies.step + 1, bodies.all[b].axes);
   bodies.begins = false;
 }
 
@@ -695,11 +694,13 @@ Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
       is_in_step(false), is_still(false), has_to_delete(false), is_cut(false) {}
 
-void Members::list(const Spheres &s) {
+void Members::list(const Spheres &s, int groupbit) {
   stuck.clear();
   touching.clear();
   for (int i = 0; i < s.n; i++)
-    if (rows.is_stuck(i))
+    if (!(s.mask[i] & groupbit))
+      rows.forget(i);
+    else if (rows.is_stuck(i))
       stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
     else if (rows.status(i) != Status::FREE)
       touching.push_back(i);
@@ -718,17 +719,10 @@ void Members::begin_step() {
 }
 
 void Members::begin_run(const Setup &setup, const Spheres &s) {
-  double least, most;
-  setup.engine.diameters(least, most);
-  ahead.setup(least);
-  ahead.clear();
-  for (int i = 0; i < s.n; i++) {
-    Memory *of = rows.find(i);
-    for (size_t k = 0; of && k < of->rests.size(); k++)
-      aspi_copy(NONE, of->rests[k].push);
+  ahead.begin_run();
+  for (int i = 0; i < s.n; i++)
     if (rows.is_stuck(i) && setup.model.deposit() == Model::OFF)
       rows.set_status(i, Status::FREE); /* an earlier part of the run had deposits */
-  }
 }
 
 void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
@@ -745,7 +739,7 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
 
 void Stepper::reorder(const Spheres &s) {
   has_to_delete = false;
-  grains.list(s);
+  grains.list(s, setup.groupbit);
   for (const StuckOne &one : grains.stuck) {
     Stuck &at = rows.stuck(one.i);
     if (at.is_kept > 0 && is_in_step)

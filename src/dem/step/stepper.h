@@ -40,11 +40,11 @@ struct Members {
   Members(const Setup &setup, Memories &its, bool are_bodies)
       : rows(its), ahead(setup, its, are_bodies) {}
 
-  /* Lists those that are at the wall, after they have got other indices. */
-  void list(const Spheres &spheres);
+  /* Lists those of a group that are at the wall, after they have got other indices or groups. */
+  void list(const Spheres &spheres, int groupbit);
   /* Resets the states of the last step. */
   void begin_step();
-  /* A new run has begun: forces are without those of the walls, and it may have no deposits. */
+  /* A new run has begun, which may have no deposits. */
   void begin_run(const Setup &setup, const Spheres &spheres);
 
   size_t bytes() const {
@@ -113,6 +113,10 @@ template <class Kind> bool is_stuck(const std::vector<Stepper *> &walls, const K
 
 /* All contacts of a step of all walls of a run. */
 void step_walls(const std::vector<Stepper *> &walls, const Spheres &spheres);
+
+/* When a run has computed its first forces, which are without the walls: adds those of the walls
+ * that hold movers, as the step before has left them. */
+void push_again(const std::vector<Stepper *> &walls, const Spheres &spheres);
 
 /* The end of a step, after its forces. A stuck particle gets its wall's velocity, walls hold those
  * that rest (end_step.cpp), and one that has rebounded gets its energy. */

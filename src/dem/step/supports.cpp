@@ -226,6 +226,17 @@ bool asperity::solve_supports(const Mover &mover, const Supports &supports, doub
   return solved;
 }
 
+void asperity::twist_of(const Mover &mover, const Support &s, double twist[3]) {
+  if (!mover.is_ball)
+    mover.twist(s.arm, s.p, twist);
+  else if (s.hold > 0)
+    aspi_copy(s.turn, twist);
+  else {
+    aspi_cross(s.n, s.p, twist);
+    aspi_scale(-2.5 / mover.sphere->radius, twist);
+  }
+}
+
 double asperity::slide_work(const Mover &mover, const Support &support, const double v[3],
                             const double omega[3]) {
   double u[3];

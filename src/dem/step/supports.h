@@ -59,6 +59,9 @@ struct Supports {
  * bring it there, shared equally. */
 bool solve_supports(const Mover &mover, const Supports &supports, double v[3], double omega[3]);
 
+/* The change of the spin by a solved contact. */
+void twist_of(const Mover &mover, const Support &support, double twist[3]);
+
 /* Energy per mass that friction of a solved contact takes from the mover: impulse times sliding
  * speed. */
 double slide_work(const Mover &mover, const Support &support, const double v[3],
