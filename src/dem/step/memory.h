@@ -43,7 +43,8 @@ struct MoverState {
 struct Stuck {
   double sphere; /* its tag */
   double shape;  /* from 1; 0: gone */
-  double piece, at[3], axes[3][3], v[3], omega[3];
+  double piece, face; /* of the shape, where it is; of the contact by which it has stuck */
+  double at[3], axes[3][3], v[3], omega[3];
   double removal; /* integral over time of the rate at which the flow removes it */
   double is_kept; /* 1: the books keep its load, and its force is that of a whole step */
 };

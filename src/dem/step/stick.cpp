@@ -62,6 +62,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   to.sphere = static_cast<double>(mover.sphere[touch.sphere].tag);
   to.shape = static_cast<double>(touch.shape) + 1;
   to.piece = place.piece;
+  to.face = touch.contact.face;
   aspi_copy(place.at, to.at);
   return to;
 }
@@ -274,6 +275,12 @@ static asp_removal draw_removal(const Setup &setup, const Mover &mover, const St
   return setup.model.removal(one.type, setup.shapes[shape].wall_type, 2 * one.radius, key);
 }
 
+/* The face at which a deposit rests: it may have gone to another triangle, on the same side. */
+static int face_now(const Member &member, const Stuck &at) {
+  const int face = static_cast<int>(at.face), piece = static_cast<int>(at.piece);
+  return member.pieces == 0 ? face : face < 0 ? ~piece : piece;
+}
+
 /* A deposit that the flow takes away rests at the wall, and does not stick again before it has left
  * it. */
 template <class Kind> void Stepper::let_go(Kind &kind) {
@@ -291,10 +298,16 @@ template <class Kind> void Stepper::let_go(Kind &kind) {
       of.stuck[kept++] = at;
       continue;
     }
+    const Stuck was = place;
     memory.draws++;
     drop_load(at, 0);
-    of.rows.set_status(at.i, Status::RESTING);
+    of.rows.set_status(at.i, Status::FREE);
     of.touching.push_back(at.i);
+    if (was.shape >= 1) {
+      const Mover mover(kind, number(kind, at.i));
+      const size_t shape = static_cast<size_t>(was.shape) - 1;
+      mover.at(*this).rest_at(mover.anchor(was).tag, shape, face_now(setup.shapes[shape], was));
+    }
     of.ahead.expire(at.i);
   }
   of.stuck.resize(kept);
