@@ -21,6 +21,8 @@ namespace asperity {
 /* The part of Engine that is the same in LIGGGHTS and LAMMPS. */
 template <class Program, class Fix> class EngineOf : public Engine {
 public:
+  typedef Fix FixOfEngine;
+
   EngineOf(Program *program, Fix *fix) : program_(program), fix_(fix) {}
 
   MPI_Comm world() const override {
@@ -88,8 +90,9 @@ protected:
 /* The hooks of the fix. Host is an EngineOf, or a class derived from one. */
 template <class Host> class WallFix : public Host {
 public:
-  template <class Program, class Fix>
-  WallFix(Program *program, Fix *fix) : Host(program, fix), wall(*this) {}
+  typedef typename Host::FixOfEngine EngineFix;
+
+  template <class Program> WallFix(Program *program, EngineFix *fix) : Host(program, fix), wall(*this) {}
 
   Wall wall;
 
@@ -102,6 +105,10 @@ public:
   virtual BodySource &bodies() = 0;
   /* Moves the wall to the end of the step. */
   virtual void begin_step() = 0;
+  /* What is wrong with a fix that ties particles to bodies; "": nothing. True if a fix changes the
+   * size or the shape of the box. */
+  virtual std::string body_error(const EngineFix *fix) const = 0;
+  virtual bool changes_box(const EngineFix *fix) const = 0;
 
   Spheres spheres() {
     Spheres s = Host::spheres();
@@ -174,6 +181,29 @@ public:
       fail("minimize is not supported: a rebound is an event in time; use run");
   }
 
+  /* Fixes that put particles where they want would carry them through the wall. They may get
+   * particles during a run, so each neighbor build looks. Collective. */
+  void check_movers() const {
+    const auto *modify = this->program_->modify;
+    for (int i = 0; i < modify->nfix; i++) {
+      const EngineFix *fix = modify->fix[i];
+      const std::string style = fix->style, wrong = body_error(fix);
+      const std::string name = "fix " + style + " (id " + fix->id + ")";
+      const bool is_deform = style.compare(0, 6, "deform") == 0;
+      if (!wrong.empty() && shares_particles(fix))
+        fail(wrong);
+      if (style == "move" && shares_particles(fix))
+        fail(name + " moves particles of this wall's group, which cannot rebound; the groups must "
+                    "have no particle in common");
+      if (style == "recenter")
+        fail(name + " shifts particles at the end of a step, past the wall; leave it out");
+      if (changes_box(fix) && !(is_deform && this->program_->domain->deform_vremap))
+        fail(name + " changes the box and moves particles with it, past the wall; " +
+             (is_deform ? "it must be 'remap v', which leaves them where they are"
+                        : "the box must keep its size"));
+    }
+  }
+
   /* For those who have written `fix wall/gran` so far. */
   static void refuse_model(const Words &words) {
     if (words.is_one_of("model granular hooke hooke/history hertz/history"))
@@ -205,7 +235,11 @@ public:
   void begin_run(bool is_setup) {
     set_rows();
     list_bodies(is_setup);
-    attempt([&] { wall.begin_run(spheres(), this->fix_->groupbit, this->box()); });
+    attempt([&] {
+      wall.begin_run(spheres(), this->fix_->groupbit, this->box());
+      if (is_setup)
+        wall.free_displaced(spheres());
+    });
     has_begun_ = true;
   }
 
@@ -385,6 +419,16 @@ protected:
   std::vector<WallFix *> siblings_; /* all walls of this style, the first one leads */
 
 private:
+  /* True if a particle of any rank is in both groups. */
+  bool shares_particles(const EngineFix *fix) const {
+    const auto *atom = this->program_->atom;
+    int mine = 0, any;
+    for (int i = 0; i < atom->nlocal; i++)
+      mine |= (atom->mask[i] & fix->groupbit) && (atom->mask[i] & this->fix_->groupbit);
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, this->world());
+    return any;
+  }
+
   void check_use() {
     const auto *domain = this->program_->domain;
     auto *group = this->program_->group;

@@ -11,7 +11,6 @@
 #include "modify.h"
 #include "update.h"
 
-#include "bodies_lammps.h"
 #include "dem/text.h"
 
 #include <algorithm>
@@ -45,40 +44,6 @@ std::string LAMMPS_NS::box_error(LAMMPS *lmp) {
   const Domain *domain = lmp->domain;
   if (domain->triclinic && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
     return "the box is triclinic and periodic; a periodic box must be orthogonal";
-  return "";
-}
-
-/* True if a particle of any rank is in both groups. */
-static bool share_particles(const Fix *wall, const Fix *fix, LAMMPS *lmp) {
-  const Atom *atom = lmp->atom;
-  int mine = 0, any;
-  for (int i = 0; i < atom->nlocal; i++)
-    mine |= (atom->mask[i] & fix->groupbit) && (atom->mask[i] & wall->groupbit);
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp->world);
-  return any;
-}
-
-/* Fixes that put particles where they want would carry them through the wall. They may get
- * particles during a run, so each neighbor build looks; all ranks call. */
-std::string LAMMPS_NS::movers_error(const Fix *wall, int box_changes, LAMMPS *lmp) {
-  Modify *modify = lmp->modify;
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix *fix = modify->fix[i];
-    const std::string name = text("fix %s (id %s)", fix->style, fix->id);
-    const std::string wrong = fix->rigid_flag ? BodiesOfLammps::error_of(fix) : "";
-    if (!wrong.empty() && share_particles(wall, fix, lmp))
-      return wrong;
-    if (strcmp(fix->style, "move") == 0 && share_particles(wall, fix, lmp))
-      return name + " moves particles of this wall's group, which cannot rebound; the groups must "
-                    "have no particle in common";
-    if (strcmp(fix->style, "recenter") == 0)
-      return name + " shifts particles at the end of a step, past the wall; leave it out";
-    const bool is_deform = strncmp(fix->style, "deform", 6) == 0;
-    if ((fix->box_change & box_changes) && !(is_deform && lmp->domain->deform_vremap))
-      return name + " changes the box and moves particles with it, past the wall; " +
-             (is_deform ? "it must be 'remap v', which leaves them where they are"
-                        : "the box must keep its size");
-  }
   return "";
 }
 

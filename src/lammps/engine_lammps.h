@@ -35,10 +35,6 @@ std::string particles_error(LAMMPS *lmp);
 std::string units_error(const EngineOfLammps &engine);
 std::string box_error(LAMMPS *lmp);
 
-/* Fixes that put particles of this wall's group where they want, or change the box in one of the
- * ways of Fix::box_change; all ranks call. */
-std::string movers_error(const Fix *wall, int box_changes, LAMMPS *lmp);
-
 /* In two dimensions; when a run is set up. */
 std::string discs_error(LAMMPS *lmp);
 

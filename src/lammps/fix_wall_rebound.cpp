@@ -65,8 +65,8 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   bool steps;       /* this run has steps, which a rerun has not */
   bool from_restart;
   bool owes_bodies; /* the forces of walls, in the first step of a run */
-  double stuck; /* particles of all ranks, when a run began or ended */
-  int type;     /* of the wall */
+  double stuck;     /* particles of all ranks, when a run began or ended */
+  int type;         /* of the wall */
 
   Parts(LAMMPS *lammps, Fix *fix)
       : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix), last_step(0),
@@ -90,6 +90,12 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   }
   asperity::BodySource &bodies() override {
     return of_bodies;
+  }
+  std::string body_error(const Fix *fix) const override {
+    return fix->rigid_flag ? BodiesOfLammps::error_of(fix) : "";
+  }
+  bool changes_box(const Fix *fix) const override {
+    return fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE);
   }
   void begin_step() override;
   void follow_step(bigint last);
@@ -192,7 +198,8 @@ asperity::WallFix<EngineOfLammps> &FixWallRebound::wall_fix() {
 }
 
 int FixWallRebound::setmask() {
-  return INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
+  return INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR |
+         END_OF_STEP | POST_RUN;
 }
 
 /* ---- a run ------------------------------------------------------------------------------------
@@ -230,7 +237,7 @@ void FixWallRebound::Parts::follow_step(bigint last) {
 
 void FixWallRebound::setup(int) {
   p_->steps = false;
-  p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->check_movers();
   p_->check(FLERR, discs_error(lmp));
   p_->attempt([this] {
     if (p_->region)
@@ -280,7 +287,7 @@ void FixWallRebound::pre_neighbor() {
 }
 
 void FixWallRebound::post_neighbor() {
-  p_->check(FLERR, movers_error(this, BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE, lmp));
+  p_->check_movers();
 }
 
 void FixWallRebound::end_of_step() {

@@ -36,7 +36,8 @@ using asperity::Words;
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
-    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false), fix_state_(NULL) {
+    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false),
+      fix_state_(NULL) {
   check_id();
   check_particles();
   check_box();
@@ -133,7 +134,8 @@ std::string FixWallRebound::read_meshes(Words &words) {
 }
 
 int FixWallRebound::setmask() {
-  return PRE_INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | END_OF_STEP | POST_RUN;
+  return PRE_INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE |
+         END_OF_STEP | POST_RUN;
 }
 
 std::string FixWallRebound::state_id() const {
@@ -276,12 +278,16 @@ void FixWallRebound::check_particles() const {
       atom->shapetype_flag)
     fail("particles must be spheres with a radius and a density, by 'atom_style granular' or "
          "'sphere'");
-  if (modify->n_fixes_style("rigid") > 0)
-    fail(
-        "particles that are tied to bodies by fix rigid cannot rebound one by one; fix multisphere "
-        "makes bodies that rebound");
   if (!atom->tag_enable)
     fail("particles have no tags, which the draws depend on; use 'atom_modify id yes'");
+}
+
+std::string FixWallRebound::body_error(const Fix *fix) const {
+  if (strncmp(fix->style, "rigid", 5) != 0)
+    return "";
+  return text("fix %s (id %s) ties particles to bodies that cannot rebound; fix multisphere makes "
+              "bodies that do",
+              fix->style, fix->id);
 }
 
 /* Bodies rebound as a whole. */
@@ -350,6 +356,7 @@ void FixWallRebound::set_rows() {
 }
 
 void FixWallRebound::setup(int) {
+  check_movers();
   attempt([&] {
     for (MeshOfLiggghts *mesh : meshes_) {
       const std::string report = mesh->setup(box());
@@ -386,6 +393,7 @@ void FixWallRebound::pre_exchange() {
 }
 
 void FixWallRebound::pre_neighbor() {
+  check_movers();
   set_rows();
   wall.reorder(spheres());
   list_bodies(false);

@@ -82,6 +82,10 @@ private:
   asperity::BodySource &bodies() override {
     return *bodies_;
   }
+  std::string body_error(const Fix *fix) const override;
+  bool changes_box(const Fix *fix) const override {
+    return fix->box_change_size || fix->box_change_shape;
+  }
 
   void check_bodies();
   void read_geometry(asperity::Words &words, std::string &geometry);
@@ -98,7 +102,7 @@ private:
   std::vector<std::string> mesh_ids_;
   std::vector<MeshOfLiggghts *> meshes_; /* the wall's shapes; empty: a primitive wall */
   int wall_type_[2];                     /* least and largest */
-  bool is_set_up_; /* and no step yet */
+  bool is_set_up_;                       /* and no step yet */
   class FixPropertyAtom *fix_state_;
   std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
 };

@@ -160,7 +160,7 @@ private:
   std::vector<ShapeSums> shapes_;
   std::unique_ptr<Ledger> ledger_;
   double counters_[N_COUNTERS];
-  Impulses kept_, step_;        /* of the loads that are kept; of this step so far */
+  Impulses kept_, step_; /* of the loads that are kept; of this step so far */
   double torque_about_[3];
   mutable std::vector<double> numbers_; /* counters and totals of all ranks; empty: out of date */
 };

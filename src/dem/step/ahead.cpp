@@ -9,6 +9,8 @@
 #include <algorithm>
 
 #include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
@@ -20,6 +22,9 @@ const int NEVER = INT_MAX;
 /* A particle that is near, not counting faces at which it stays, counts as near for this many
  * steps. */
 const int STAYS_NEAR = 32;
+
+/* A path of so many radii in a step is none: the engine has blown up. */
+const double FARTHEST = 1e9;
 
 /* Particles are screened in blocks of this many. */
 const int BLOCK = 32;
@@ -168,6 +173,11 @@ bool Ahead::look(const Spheres &s, int i) {
   if (*due < 0 && now_ < -*due)
     return true;
   const bool out = !(s.mask[i] & setup_.groupbit) || rows_.is_stuck(i);
+  if (!out && !(aspi_length(v) * s.dt <= FARTHEST * s.radius[i]))
+    throw Error(
+        text("the velocity of particle %lld is %g %g %g, by which it moves over %g radii in "
+             "a step; a force or the time step is far too large",
+             static_cast<long long>(s.tag_of(i)), v[0], v[1], v[2], FARTHEST));
   for (int d = 0; d < 3; d++)
     along[d] = static_cast<float>(v[d]);
   *due = out ? NEVER : now_ + steps_clear(s, i);

@@ -28,6 +28,9 @@ typedef std::vector<Stepper *> Walls;
  * a step. */
 const double GAP = 0.01, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
 
+/* The most impacts in one step whose forces are looked at; of more, each is a small share of it. */
+const size_t NOTED_MOST = 32;
+
 /* Cosine below which two directions are at right angles. */
 const double ACROSS = 1e-9;
 
@@ -236,6 +239,8 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
   const Mover &mover = flight.mover;
   if (!mover.is_ball || !(aspi_dot(flight.a0, flight.a0) > 0))
     return; /* in free flight velocities stay what they are, to the bit */
+  if (flight.events.size() > NOTED_MOST)
+    return;
   for (const Event &event : flight.events) {
     Stepper *wall = event.wall;
     const AtWall of = mover.at(*wall);
@@ -374,8 +379,7 @@ static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting)
 }
 
 /* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
-template <class Kind, class Act>
-static void for_resting(const Walls &walls, Kind &kind, Act act) {
+template <class Kind, class Act> static void for_resting(const Walls &walls, Kind &kind, Act act) {
   std::vector<Near> all;
   Walls held_by;
   for (size_t w = 0; w < walls.size(); w++) {

@@ -89,8 +89,7 @@ Flight::Flight(Mover &m, const Bodies &bodies, Stepper &first)
   aspi_copy(body.angular_momentum, momentum);
   aspi_scale(1 / m.mass, momentum);
   const Memory *memory = first.body_rows.find(m.i);
-  if (memory && !memory->attitude.empty() &&
-      static_cast<int64_t>(memory->attitude[0].step) == step)
+  if (memory && !memory->attitude.empty() && static_cast<int64_t>(memory->attitude[0].step) == step)
     memcpy(start.axes, memory->attitude[0].axes, sizeof start.axes);
   else
     turn_on(start, -dt);
@@ -293,6 +292,8 @@ Support asperity::support_of(const Mover &mover, const Stepper &wall, size_t sha
 
 void Flight::add_sustained(const Touch &touch, double least_speed, double hold) {
   const Contact &contact = touch.contact;
+  if (contact.overlapped)
+    touch.wall->books.count_guarded();
   if (is_apart)
     settle();
   if (sustained.empty()) {

@@ -41,8 +41,8 @@ struct MoverState {
 /* Where a stuck mover is held: the center of one of its spheres, in the frame of the shape (of the
  * world, where that is gone), and the axes of a body; and the velocities that it has there. */
 struct Stuck {
-  double sphere; /* its tag */
-  double shape;  /* from 1; 0: gone */
+  double sphere;      /* its tag */
+  double shape;       /* from 1; 0: gone */
   double piece, face; /* of the shape, where it is; of the contact by which it has stuck */
   double at[3], axes[3][3], v[3], omega[3];
   double removal; /* integral over time of the rate at which the flow removes it */
@@ -206,11 +206,11 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
-const int PACKED_MOST =
-    7 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
-                          (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
-                         sizeof(double));
-static_assert(sizeof(Rebound) <= sizeof(Stuck), "the longest list is that of a stuck or resting one");
+const int PACKED_MOST = 7 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
+                                              (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
+                                             sizeof(double));
+static_assert(sizeof(Rebound) <= sizeof(Stuck),
+              "the longest list is that of a stuck or resting one");
 
 } // namespace asperity
 

@@ -101,6 +101,27 @@ static void carry(Stepper &wall, const Spheres &s, int i, double left) {
   aspi_copy(on_wall, x);
 }
 
+/* A stuck particle has been displaced if it is off its place by this share of its radius. */
+static const double DISPLACED = 1e-3;
+
+int Stepper::free_displaced(const Spheres &s) {
+  int count = 0;
+  for (const StuckOne &one : grains.stuck) {
+    Stuck at = rows.stuck(one.i);
+    const double *x = s.x + 3 * static_cast<size_t>(one.i), radius = s.radius[one.i];
+    double on_wall[3];
+    follow(*this, at, x, radius, 0, s.dt, false, on_wall);
+    aspi_subtract(on_wall, x, on_wall);
+    if (!(aspi_length(on_wall) > DISPLACED * radius))
+      continue;
+    rows.forget(one.i);
+    count++;
+  }
+  if (count > 0)
+    grains.list(s, setup.groupbit);
+  return count;
+}
+
 /* Gives a stuck particle the velocity of its wall. */
 static void set_velocity(const Stuck &at, const Spheres &s, int i) {
   const size_t row = 3 * static_cast<size_t>(i);
