@@ -67,8 +67,12 @@ typedef std::vector<std::unique_ptr<Shape>> Shapes;
 inline std::unique_ptr<Wall> make_wall(const Engine &engine, Shapes shapes,
                                        const std::string &description, size_t triangles = 0) {
   std::unique_ptr<Wall> wall(new Wall(engine));
-  for (std::unique_ptr<Shape> &shape : shapes)
-    wall->add_shape(std::move(shape), 1, triangles, triangles ? "mesh" : "");
+  const bool has_names = triangles > 0 || shapes.size() > 1; /* as meshes have */
+  for (std::unique_ptr<Shape> &shape : shapes) {
+    const size_t number = wall->setup.shapes.size() + 1;
+    wall->add_shape(std::move(shape), 1, triangles,
+                    has_names ? "mesh " + std::to_string(number) : "");
+  }
   std::istringstream text(description);
   std::vector<std::string> words;
   for (std::string word; text >> word;)

@@ -2,7 +2,8 @@
  * without friction, in gentle steps of three lengths and in steps of 100 diameters. Walls keep
  * their movers inside, give no energy while they stand still, and write no impacts while a mover
  * rests; the length of the step does not change the number of impacts; a body of one sphere does
- * what a grain does. test_movers [WORD]... runs the cases whose names have all the words.
+ * what a grain does; a run in two pieces, or continued from a restart file, is the run in one to
+ * the bit. test_movers [WORD]... runs the cases whose names have all the words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
@@ -157,23 +158,10 @@ void turn_axes(const double about[3], double angle, double axes[3][3]) {
 class Scene {
 public:
   Scene(const Kind &kind, const Room &room, const std::string &words, double dt, size_t n)
-      : kind_(kind), room_(room), dt_(dt), count_(kind.nx * kind.ny), mesh_(NULL),
+      : kind_(kind), room_(room), words_(words), dt_(dt), count_(kind.nx * kind.ny), mesh_(NULL),
         grains_(kind.is_body ? 0 : n, R, dt), bodies_() {
-    const double still[3] = {0, 0, 0}, belt[3] = {0.1, 0, 0};
-    Shapes shapes;
-    if (room.form == CYLINDER)
-      shapes.push_back(std::unique_ptr<Shape>(new CylinderShape(0, still, room.wide, 0, 0)));
-    for (int k = 0; k < room.sides && room.form == PLANES; k++)
-      shapes.push_back(std::unique_ptr<Shape>(
-          new PlaneShape(2 - k, -room.wide, room.move == SLIDES ? belt : still)));
-    if (room.form == MESH) {
-      std::unique_ptr<MeshShape> mesh = make_mesh(room);
-      mesh_ = mesh.get();
-      shapes.push_back(std::move(mesh));
-    }
     engine_.least = engine_.most = 2 * R;
-    wall_ = make_wall(engine_, std::move(shapes), words,
-                      mesh_ ? static_cast<size_t>(2 * (room.sides + room.ends)) : 0);
+    wall_ = make_room();
     grains_.spins = true;
     grains_.mass.assign(grains_.mass.size(), MASS);
     bodies_.dt = dt;
@@ -245,6 +233,39 @@ public:
     wall_->books.end_loads();
   }
 
+  /* The set-up of another run; restarts: of another program, with the memory of a restart file. */
+  void resume(bool restarts) {
+    set_forces();
+    if (restarts) {
+      std::unique_ptr<Wall> before = std::move(wall_);
+      const MeshShape *mesh = mesh_;
+      wall_ = make_room();
+      wall_->restore(before->save().data());
+      if (mesh_)
+        mesh_->motion() = mesh->motion();
+      std::vector<double> packed(PACKED_MOST);
+      wall_->stepper.rows.grow(static_cast<int>(grains_.tag.size()));
+      for (size_t i = 0; i < grains_.tag.size(); i++) {
+        before->stepper.rows.pack(static_cast<int>(i), packed.data());
+        wall_->stepper.rows.unpack(static_cast<int>(i), packed.data());
+      }
+      grains_.walls.assign(1, wall_.get());
+      wall_->init(grains_.now, dt_);
+      wall_->set_rows(grains_.states[0].data());
+    }
+    wall_->begin_run(grains_.spheres(), 1, Box());
+    bodies_.begins = true;
+    bodies_.step = grains_.now + 1;
+    claim_bodies(grains_.steppers(), bodies_, MPI_COMM_WORLD);
+    push_again(grains_.steppers(), grains_.spheres());
+    push_again(grains_.steppers(), bodies_);
+  }
+
+  /* Impulse on the wall so far, and force in the last step. */
+  double load(int of, int axis) const {
+    return wall_->books.counter(of + axis);
+  }
+
   State state(size_t i) const {
     State at = State();
     if (!kind_.is_body) {
@@ -307,6 +328,23 @@ public:
   }
 
 private:
+  std::unique_ptr<Wall> make_room() {
+    const double still[3] = {0, 0, 0}, belt[3] = {0.1, 0, 0};
+    Shapes shapes;
+    if (room_.form == CYLINDER)
+      shapes.push_back(std::unique_ptr<Shape>(new CylinderShape(0, still, room_.wide, 0, 0)));
+    for (int k = 0; k < room_.sides && room_.form == PLANES; k++)
+      shapes.push_back(std::unique_ptr<Shape>(
+          new PlaneShape(2 - k, -room_.wide, room_.move == SLIDES ? belt : still)));
+    if (room_.form == MESH) {
+      std::unique_ptr<MeshShape> mesh = make_mesh(room_);
+      mesh_ = mesh.get();
+      shapes.push_back(std::move(mesh));
+    }
+    return make_wall(engine_, std::move(shapes), words_,
+                     mesh_ ? static_cast<size_t>(2 * (room_.sides + room_.ends)) : 0);
+  }
+
   void set_forces() {
     for (size_t k = 0; k < grains_.f.size(); k++)
       grains_.f[k] = MASS * (GRAVITY * room_.gravity[k % 3]);
@@ -339,6 +377,7 @@ private:
 
   const Kind &kind_;
   const Room &room_;
+  const std::string words_;
   const double dt_;
   const int count_; /* spheres of a mover */
   Alone engine_;
@@ -383,17 +422,23 @@ State start(const Kind &kind, const Room &room, const Pace &pace, size_t i) {
 
 struct Result {
   double out, rise, loss, guarded, resting; /* impacts that were written at rest */
+  double load[3];                           /* impulse on the wall */
   std::vector<double> impacts;
   std::vector<State> end;
 };
 
-void run(Scene &scene, const Pace &pace, bool stands, bool settles, Result &r) {
+/* How a run is cut at its middle. */
+enum Cut { WHOLE, SET_UP, RESTART };
+
+void run(Scene &scene, const Pace &pace, bool stands, bool settles, Cut cut, Result &r) {
   const size_t n = pace.movers;
   std::vector<double> first(n), low(n), late(n), before(n);
   for (size_t i = 0; i < n; i++)
     first[i] = low[i] = scene.energy(i);
   scene.begin();
   for (int k = 1; k <= pace.steps; k++) {
+    if (cut != WHOLE && k == pace.steps / 2)
+      scene.resume(cut == RESTART);
     scene.step();
     for (size_t i = 0; i < n; i++) {
       const double now = scene.energy(i);
@@ -415,6 +460,8 @@ void run(Scene &scene, const Pace &pace, bool stands, bool settles, Result &r) {
     r.end.push_back(scene.state(i));
   }
   r.guarded = scene.guarded();
+  for (int d = 0; d < 3; d++)
+    r.load[d] = scene.load(Books::IMPULSE, d);
 }
 
 /* ---- what must hold ---------------------------------------------------------------------------
@@ -446,7 +493,7 @@ struct Case {
     failed++;
   }
 
-  Result run_at(const Pace &pace) {
+  Result run_at(const Pace &pace, Cut cut = WHOLE) {
     const bool stands = room.move == STANDS;
     const bool settles = !rough && room.form != CYLINDER && room.move != TURNS;
     const double kick = GRAVITY * pace.dt;
@@ -458,7 +505,7 @@ struct Case {
     for (size_t i = 0; i < pace.movers; i++)
       scene.add(i, start(kind, room, pace, i));
     try {
-      run(scene, pace, stands, settles, r);
+      run(scene, pace, stands, settles, cut, r);
     } catch (const std::exception &error) {
       check(pace, error.what(), 1, 0);
     }
@@ -494,6 +541,22 @@ struct Case {
       char what[40];
       snprintf(what, sizeof what, "impacts %.4g ->", mean[0]);
       check(PACES[p], what, mean[p], mean[0] + 3 * sd + series * bounces);
+    }
+  }
+
+  /* A run in pieces is the run in one. */
+  void check_pieces(const Pace &pace, const Result &whole) {
+    for (Cut cut : {SET_UP, RESTART}) {
+      const Result r = run_at(pace, cut);
+      const char *const what = cut == SET_UP ? "two runs" : "restart";
+      double load = 0, off = 0;
+      for (int d = 0; d < 3; d++) {
+        load = std::max(load, fabs(whole.load[d]));
+        off = std::max(off, fabs(r.load[d] - whole.load[d]));
+      }
+      check(pace, what, off, 1e-12 * load);
+      for (size_t i = 0; i < whole.end.size(); i++)
+        check(pace, what, memcmp(&r.end[i], &whole.end[i], sizeof r.end[i]) != 0, 0);
     }
   }
 
@@ -541,6 +604,7 @@ int main(int argc, char **argv) {
             now.check_same(PACES[p], grain[p], r[p]);
         }
         now.check_impacts(r);
+        now.check_pieces(PACES[1], r[1]);
         cases++;
         failed += now.failed > 0;
       }

@@ -292,8 +292,6 @@ Support asperity::support_of(const Mover &mover, const Stepper &wall, size_t sha
 
 void Flight::add_sustained(const Touch &touch, double least_speed, double hold) {
   const Contact &contact = touch.contact;
-  if (contact.overlapped)
-    touch.wall->books.count_guarded();
   if (is_apart)
     settle();
   if (sustained.empty()) {

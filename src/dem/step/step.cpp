@@ -49,6 +49,10 @@ const double NEAR = 0.01;
  */
 const double ROUNDED = 1e-5;
 
+/* A mover that comes to rest at a wall out of an overlap of more than this many radii was put
+ * there; less is how a wall that turns moves into it within a step. */
+const double DEEP = 1e-3;
+
 /* GRAZING of a mover that stays at a wall: an overlap of 1e-10 radii, which is rounding, puts it at
  * the edges of the coplanar faces ahead, whose normals are off by sqrt(2e-10) there. */
 const double ON_EDGES = 1.5e-5;
@@ -469,8 +473,13 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
       site.lose_bounce();
     holds.push_back(hold);
   }
-  for (size_t k = 0; k < touches.size(); k++)
-    flight.sustain(touches[k], holds[k]);
+  for (size_t k = 0; k < touches.size(); k++) {
+    const Touch &touch = touches[k];
+    if (touch.contact.overlapped &&
+        overlap(touch.before, touch.contact) > DEEP * flight.mover.sphere[touch.sphere].radius)
+      touch.wall->books.count_guarded();
+    flight.sustain(touch, holds[k]);
+  }
   return -1;
 }
 
