@@ -1,0 +1,233 @@
+/* What walls do at the borders of steps and runs: which load they show, steps that change their
+ * length, commands that move particles or take them out of the group, what the flow has taken
+ * away, and particles of very different sizes.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "alone.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/shapes/mesh.h"
+#include "dem/shapes/primitive.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
+#include <cmocka.h>
+}
+
+using namespace asperity;
+
+namespace {
+
+const double STILL[3] = {0, 0, 0};
+const char *const DULL = "rebound constant 0.5 0.5 deposit off";
+const char *const STICKY = "rebound constant 0 0 deposit freeze";
+
+bool near(double a, double b, double within) {
+  return fabs(a - b) <= within;
+}
+
+/* A plane that counts how often a prediction asks for it. */
+class CountingPlane : public PlaneShape {
+public:
+  explicit CountingPlane(int &calls) : PlaneShape(2, 0, STILL), calls_(calls) {}
+  double clear(const Course &course, const FaceList &stays) const override {
+    calls_++;
+    return PlaneShape::clear(course, stays);
+  }
+
+private:
+  int &calls_;
+};
+
+/* Grains of radius 1 that fall far from a plane, the last one of them of another size. */
+int predictions(double last) {
+  const size_t n = 640;
+  int calls = 0;
+  GrainsAtWall s(std::unique_ptr<Shape>(new CountingPlane(calls)), DULL, n, 1, 1e-3);
+  for (size_t i = 0; i < n; i++) {
+    s.grains.put(i, {3. * static_cast<double>(i), 0, 1000}, {0, 0, 0});
+    s.grains.f[3 * i + 2] = -10;
+  }
+  s.grains.radius[n - 1] = last;
+  s.begin();
+  s.grains.fly(1000);
+  return calls;
+}
+
+/* One small particle makes the predictions of others no shorter: of those in its block alone. */
+void dust_does_not_cost_others(void **) {
+  const int alike = predictions(1), dusty = predictions(1e-4);
+  assert_true(alike >= 640 && dusty < alike + 2000);
+}
+
+/* A grain that rests on a plane. */
+struct Resting : GrainsAtWall {
+  explicit Resting(const char *law = DULL)
+      : GrainsAtWall(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), law, 1, 0.5, 0.01) {
+    grains.put(0, {0, 0, 0.5}, {0, 0, 0});
+    grains.f[2] = -10;
+    begin();
+    grains.fly(10);
+  }
+  double force() const {
+    return count(Books::FORCE + 2);
+  }
+};
+
+/* Whenever it is asked for, the force is that of a whole step. */
+void force_is_of_a_whole_step(void **) {
+  Resting s;
+  assert_true(near(s.force(), -10, 1e-12));
+  s.grains.advance();
+  assert_true(near(s.force(), -10, 1e-12));
+  s.grains.finish();
+  assert_true(near(s.force(), -10, 1e-12));
+  /* 11 steps, and the half of a kick that is counted ahead */
+  assert_true(near(s.count(Books::IMPULSE + 2), -11.5 * 0.1, 1e-12));
+}
+
+/* In the step after which the length of steps changes, and in the next one, forces are those of
+ * their own length. */
+void steps_may_change_their_length(void **) {
+  Resting s;
+  s.wall->set_dt(s.grains.now, s.grains.dt = 0.02);
+  assert_true(near(s.force(), -10, 1e-12));
+  s.grains.fly(2);
+  assert_true(near(s.force(), -10, 1e-12));
+  assert_true(near(s.wall->setup.time(static_cast<double>(s.grains.now)), 0.14, 1e-12));
+}
+
+/* What left the group is not held any more, and the memory of it is gone. */
+void groups_end_rests(void **) {
+  Resting s;
+  s.grains.mask[0] = 2;
+  s.wall->reorder(s.grains.spheres());
+  s.grains.fly(20);
+  assert_true(s.grains.x[2] < 0.5 - 0.1);
+  assert_true(near(s.force(), 0, 0));
+  assert_true(s.wall->stepper.rows.status(0) == Status::FREE);
+}
+
+/* A stuck grain that a command has moved is free; one that is where it was stays. */
+void commands_free_what_they_move(void **) {
+  GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), STICKY, 2, 0.5, 0.1);
+  for (size_t i = 0; i < 2; i++)
+    s.grains.put(i, {3. * static_cast<double>(i), 0, 0.55}, {0, 0, -1});
+  s.begin();
+  s.grains.fly(2);
+  assert_true(s.wall->stuck() == 2);
+  s.grains.x[2] += 0.3;
+  s.grains.put(0, {0, 0, 0.8}, {0.1, 0, 0});
+  s.wall->begin_run(s.grains.spheres(), 1, Box());
+  s.wall->free_displaced(s.grains.spheres());
+  assert_non_null(strstr(s.engine.warned.c_str(), "moved from their place: 1"));
+  s.grains.fly(10);
+  assert_true(s.wall->stuck() == 1 && s.wall->stepper.rows.is_stuck(1));
+  assert_true(near(s.grains.x[0], 0.1, 1e-12) && near(s.grains.x[3], 3, 0));
+}
+
+/* A grain that a command has put deep into a wall is put onto it, and counted. */
+void overlaps_at_rest_are_guarded(void **) {
+  GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), DULL, 1, 0.5, 0.01);
+  s.grains.put(0, {0, 0, 0.41}, {0, 0, 0});
+  s.grains.f[2] = -10;
+  s.begin();
+  s.grains.fly(5);
+  assert_true(near(s.grains.x[2], 0.5, 1e-9));
+  assert_true(s.count(Books::N_GUARDED) == 1);
+}
+
+/* A deposit that the flow takes off its wall is free as soon as it moves away. */
+void removed_deposits_are_free(void **) {
+  GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)),
+                 "materials quartz deposit freeze remove u_tau 100 gas_density 1.2 gas_viscosity "
+                 "1.5e-5",
+                 1, 2.5e-5, 1e-5);
+  s.engine.least = s.engine.most = 5e-5;
+  s.grains.mass[0] = 1.7e-10;
+  s.grains.put(0, {0, 0, 2.6e-5}, {0, 0, -0.5});
+  s.begin();
+  s.grains.fly(1);
+  assert_true(s.wall->stuck() == 1);
+  s.grains.f[2] = 1e-9;
+  for (int step = 0; step < 100000 && s.wall->stuck() > 0; step++)
+    s.grains.fly(1);
+  s.grains.fly(20);
+  assert_true(s.wall->stuck() == 0 && s.grains.x[2] > 2.5e-5);
+  assert_true(s.wall->stepper.rows.status(0) == Status::FREE);
+}
+
+/* A velocity that the engine has blown up ends the run. */
+void blown_up_velocities_are_told(void **) {
+  for (double v : {1e300, HUGE_VAL, nan("")}) {
+    Resting s;
+    s.grains.v[2] = v;
+    try {
+      s.grains.fly(1);
+      assert_true(false);
+    } catch (const Error &wrong) {
+      assert_non_null(strstr(wrong.what(), "the velocity of particle 1 is"));
+    }
+  }
+}
+
+/* At the apex of a pyramid, where it touches all faces, a grain comes to rest. */
+void pits_hold_grains(void **) {
+  const int faces = 8;
+  std::vector<ContactTriangle> triangles;
+  std::vector<int> ids;
+  for (int k = 0; k < faces; k++) {
+    ContactTriangle t = {};
+    for (int j = 0; j < 2; j++) {
+      const double angle = 2 * ASP_PI * (k + j + 0.1) / faces;
+      t.node[1 + j][0] = cos(angle);
+      t.node[1 + j][1] = sin(angle);
+      t.node[1 + j][2] = 0.7;
+    }
+    triangles.push_back(t);
+    ids.push_back(k);
+  }
+  std::unique_ptr<MeshShape> mesh(new MeshShape);
+  mesh->set_triangles(triangles, ids);
+  mesh->set_images(Box());
+  GrainsAtWall s(std::move(mesh), "rebound walton 0.5 0.3 0 deposit off", 1, 1e-3, 1e-4, faces);
+  s.engine.least = s.engine.most = 2e-3;
+  s.grains.spins = true;
+  s.grains.put(0, {1e-3, 3e-4, 3e-3}, {0, 0, 0});
+  s.grains.f[2] = -9.81;
+  s.begin();
+  s.grains.fly(8000);
+  const double x[3] = {s.grains.x[0], s.grains.x[1], s.grains.x[2]};
+  const double impacts = s.count(Books::N_IMPACTS);
+  s.grains.fly(2000);
+  aspi_subtract(&s.grains.x[0], x, s.grains.x.data());
+  assert_true(aspi_length(s.grains.x.data()) < 1e-12);
+  assert_true(s.count(Books::N_IMPACTS) - impacts < 1);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(dust_does_not_cost_others),
+      cmocka_unit_test(force_is_of_a_whole_step),
+      cmocka_unit_test(steps_may_change_their_length),
+      cmocka_unit_test(groups_end_rests),
+      cmocka_unit_test(commands_free_what_they_move),
+      cmocka_unit_test(overlaps_at_rest_are_guarded),
+      cmocka_unit_test(removed_deposits_are_free),
+      cmocka_unit_test(blown_up_velocities_are_told),
+      cmocka_unit_test(pits_hold_grains),
+  };
+  MPI_Init(&argc, &argv);
+  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  MPI_Finalize();
+  return failed;
+}
