@@ -144,3 +144,25 @@ region r intersect 2 a b'
 room hopper 100 'region a cone z 0 0 2e-4 1e-3 -2e-4 1e-3 units box
 region b cylinder z 0 0 2e-4 -1e-3 -2e-4 units box
 region r union 2 a b'
+
+# A room that only moves, whose angle LAMMPS leaves unset: with new memory full of any bits.
+{ head_of si
+  echo "region box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+create_box 2 box
+region fill block -0.02 0.02 -0.02 0.02 0.01 0.1 units box
+create_atoms 1 random 100 4711 fill
+set group all diameter 1e-3 density 2500
+neighbor 2e-3 bin
+neigh_modify delay 0 exclude group all all
+fix fall all gravity 9.81 vector 0 0 -1
+variable up equal 0.001*sin(2*PI*step*dt/0.05)
+region r block -0.025 0.025 -0.025 0.025 0 0.12 units box move NULL NULL v_up
+fix wall all wall/rebound region r rebound walton 0.5 0.5 0 deposit off
+fix move all nve/sphere
+timestep 4e-5
+thermo_style custom step atoms f_wall
+run 4000"; } > moving.in
+for bits in 1 165; do
+  MALLOC_PERTURB_=$bits engine 1 moving.in
+  table a=moving.in.screen 'assert a[-1][1] == 100 and a[-1][2] > 100' || die "a room that moves, with memory of $bits"
+done
