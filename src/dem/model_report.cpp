@@ -157,7 +157,6 @@ std::string Model::describe_surface() const {
   return line;
 }
 
-/* True if the spread needs only s_eff. */
 std::string Model::take_report() {
   if (!is_new_ || !wall_)
     return "";

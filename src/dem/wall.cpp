@@ -163,8 +163,8 @@ void Wall::check_use(const Bounds *box, const char *empty_group) {
                            empty_group));
 }
 
-void Wall::free_displaced(const Spheres &spheres) {
-  int mine = stepper.free_displaced(spheres), all;
+void Wall::free_displaced(const Spheres &spheres, double moved) {
+  int mine = stepper.free_displaced(spheres, moved), all;
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, setup.engine.world());
   if (all > 0)
     setup.engine.warn(text("stuck particles that a command has moved from their place: %d; they are "

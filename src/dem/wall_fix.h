@@ -237,8 +237,7 @@ public:
     list_bodies(is_setup);
     attempt([&] {
       wall.begin_run(spheres(), this->fix_->groupbit, this->box());
-      if (is_setup)
-        wall.free_displaced(spheres());
+      wall.free_displaced(spheres(), is_setup ? 0 : this->program_->update->dt);
     });
     has_begun_ = true;
   }

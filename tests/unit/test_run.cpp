@@ -126,7 +126,7 @@ void commands_free_what_they_move(void **) {
   s.grains.x[2] += 0.3;
   s.grains.put(0, {0, 0, 0.8}, {0.1, 0, 0});
   s.wall->begin_run(s.grains.spheres(), 1, Box());
-  s.wall->free_displaced(s.grains.spheres());
+  s.wall->free_displaced(s.grains.spheres(), 0);
   assert_non_null(strstr(s.engine.warned.c_str(), "moved from their place: 1"));
   s.grains.fly(10);
   assert_true(s.wall->stuck() == 1 && s.wall->stepper.rows.is_stuck(1));

@@ -76,9 +76,9 @@ struct Stepper {
    * empty otherwise. */
   void begin_run(const Spheres &spheres, const std::vector<int> &shape_now);
 
-  /* At the set-up of a run: frees stuck particles that a command has moved from where the wall has
-   * them. How many, of this rank. */
-  int free_displaced(const Spheres &spheres);
+  /* At the beginning of a run: frees stuck particles that a command has moved from where the wall
+   * has them. moved: for which time the engine has moved all since. How many, of this rank. */
+  int free_displaced(const Spheres &spheres, double moved);
 
   /* Discards what is known of the ways ahead. */
   void clear_ahead() {

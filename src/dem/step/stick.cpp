@@ -104,12 +104,15 @@ static void carry(Stepper &wall, const Spheres &s, int i, double left) {
 /* A stuck particle has been displaced if it is off its place by this share of its radius. */
 static const double DISPLACED = 1e-3;
 
-int Stepper::free_displaced(const Spheres &s) {
+int Stepper::free_displaced(const Spheres &s, double moved) {
   int count = 0;
   for (const StuckOne &one : grains.stuck) {
     Stuck at = rows.stuck(one.i);
-    const double *x = s.x + 3 * static_cast<size_t>(one.i), radius = s.radius[one.i];
-    double on_wall[3];
+    const size_t row = 3 * static_cast<size_t>(one.i);
+    const double radius = s.radius[one.i];
+    double x[3], on_wall[3];
+    aspi_copy(s.x + row, x);
+    aspi_add_scaled(x, -moved, s.v + row, x);
     follow(*this, at, x, radius, 0, s.dt, false, on_wall);
     aspi_subtract(on_wall, x, on_wall);
     if (!(aspi_length(on_wall) > DISPLACED * radius))
