@@ -92,7 +92,8 @@ template <class Host> class WallFix : public Host {
 public:
   typedef typename Host::FixOfEngine EngineFix;
 
-  template <class Program> WallFix(Program *program, EngineFix *fix) : Host(program, fix), wall(*this) {}
+  template <class Program>
+  WallFix(Program *program, EngineFix *fix) : Host(program, fix), wall(*this) {}
 
   Wall wall;
 
@@ -125,8 +126,10 @@ public:
 
   /* At the beginning of a run, and after particles have moved between ranks. Collective. */
   void list_bodies(bool begins) {
-    if (leads() && bodies().any())
-      bodies().list(steppers(), begins);
+    if (!leads() || !bodies().any())
+      return;
+    bodies().list(steppers(), begins);
+    body_rows_.reset(Host::spheres(), siblings_.size());
   }
 
   /* An Error is thrown on all ranks; any other exception may be local, so abort. */
@@ -343,6 +346,7 @@ public:
       all->dt = s.dt;
       end_bodies(steppers(), *all);
       bodies().put(true, this->world());
+      body_rows_.show(steppers(), *all, this->world());
     }
     for (WallFix *fix : siblings_)
       fix->wall.books.end_loads();
@@ -456,6 +460,7 @@ private:
   bool is_checked_ = false;  /* check_use() was called, in the first step, in which shapes move */
   bool is_continued_ = true; /* no step yet since a restart */
   std::vector<int> masks_;   /* of the particles, 0 for those of bodies */
+  BodyRows body_rows_;       /* of the first wall, for all */
 };
 
 /* The functions of a fix that are the same in both engines. */

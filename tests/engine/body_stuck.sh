@@ -6,7 +6,8 @@ source "$(dirname "$0")/engine.sh"
 source "$here/body_scene.sh"
 
 show="compute out all reduce max vx
-thermo_style custom step atoms c_ke c_re f_floor[2] f_floor[3] f_floor[7] f_floor[9] c_out
+compute state all reduce sum f_rebound_floor[1] f_rebound_floor[2]
+thermo_style custom step atoms c_ke c_re f_floor[2] f_floor[3] f_floor[7] f_floor[9] c_out c_state[1] c_state[2]
 thermo 1000000"
 # Each body sticks once; at rest the floor carries their weight, rm of all spheres by their bodies.
 poured 200 made.bin
@@ -22,8 +23,9 @@ run 2400"; } > "$1.in"
 }
 for ranks in 1 2 4; do
   fall freeze $ranks
-  read -r _ atoms ke re deposits mass fx fz v < <(last freeze.in.screen)
+  read -r _ atoms ke re deposits mass fx fz v impacts stuck < <(last freeze.in.screen)
   [ "$atoms" = 400 ] && [ "$deposits" = 200 ] && [ "$ke" = 0 ] && [ "$re" = 0 ] && [ "$v" = 0 ] || die "freeze on $ranks ranks: $(last freeze.in.screen)"
+  [ "$stuck" = 400 ] && [ "$impacts" -ge 400 ] || die "spheres do not show the state of their bodies on $ranks ranks: $stuck stuck, $impacts impacts"
   table "w = $mass * 9.81 / sqrt(1.04)
 assert abs($fx - 0.2 * w) < 1e-6 * w and abs($fz + w) < 1e-6 * w" || die "weight on $ranks ranks: $fx $fz of $mass"
   [ -z "$(cut -d, -f 40 "freeze.$ranks" | sort | uniq -d)" ] || die "a body sticks twice on $ranks ranks"

@@ -277,9 +277,12 @@ std::vector<double> times_of_removal(double dt) {
   Grains grains(GRAINS, d / 2, dt);
   double packed[PACKED_MOST];
   for (int half = 0; half < 2; half++) {
+    const std::vector<std::vector<double>> states = grains.states;
     walls.push_back(make_wall(engine, ground(), IN_FLOW));
     grains.begin({walls.back().get()});
     Memories &rows = walls[half]->stepper.rows;
+    if (half)
+      std::copy(states[0].begin(), states[0].end(), grains.states[0].begin());
     for (int i = 0; i < GRAINS; i++) {
       grains.f[3 * i + 2] = -1e-3;
       if (half) {

@@ -188,6 +188,44 @@ bool BodySource::is_deleted(int i) const {
   return std::binary_search(deleted_.begin(), deleted_.end(), name_at(i));
 }
 
+void BodyRows::reset(const Spheres &spheres, size_t walls) {
+  place_.clear();
+  for (int i = 0; i < spheres.n; i++)
+    place_[spheres.tag_of(i)] = i;
+  shown_.assign(walls, std::vector<MoverState>());
+}
+
+void BodyRows::show(const std::vector<Stepper *> &walls, const Bodies &bodies, MPI_Comm world) {
+  std::vector<double> mine; /* number of the wall, tag of a sphere, impacts, state */
+  for (size_t w = 0; w < walls.size(); w++) {
+    std::vector<MoverState> &shown = shown_[w];
+    shown.resize(bodies.all.size());
+    for (size_t b = 0; b < bodies.all.size(); b++) {
+      const MoverState &now = walls[w]->body_rows.state[b];
+      if (memcmp(&now, &shown[b], 2 * sizeof(double)) == 0)
+        continue;
+      shown[b] = now;
+      const BodySphere *first = &bodies.spheres[bodies.all[b].first];
+      for (const BodySphere *one = first; one < first + bodies.all[b].count; one++)
+        mine.insert(mine.end(), {static_cast<double>(w), static_cast<double>(one->tag), now.impacts,
+                                 now.status});
+    }
+  }
+  int changed = !mine.empty(), any;
+  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any)
+    return;
+  const std::vector<double> all = gather_for_all(mine, world);
+  for (size_t k = 0; k < all.size(); k += 4) {
+    const auto at = place_.find(static_cast<int64_t>(all[k + 1]));
+    if (at == place_.end())
+      continue;
+    MoverState &row = walls[static_cast<size_t>(all[k])]->rows.state[at->second];
+    row.impacts = all[k + 2];
+    row.status = all[k + 3];
+  }
+}
+
 /* ---- doubts -----------------------------------------------------------------------------------
  */
 

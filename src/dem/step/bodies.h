@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,20 @@ void arm_of(const Body &body, const BodySphere &sphere, double arm[3]);
 /* Angular velocity from angular momentum, and back. */
 void spin_of(const Body &body, double omega[3]);
 void momentum_of(const Body &body, const double omega[3], double momentum[3]);
+
+/* What the spheres of bodies show of a wall, which are on any rank: the impacts and the state of
+ * their body. */
+class BodyRows {
+public:
+  /* After particles or bodies have moved between ranks. */
+  void reset(const Spheres &spheres, size_t walls);
+  /* Collective. */
+  void show(const std::vector<Stepper *> &walls, const Bodies &bodies, MPI_Comm world);
+
+private:
+  std::unordered_map<int64_t, int> place_; /* of the particles of this rank, by tag */
+  std::vector<std::vector<MoverState>> shown_;
+};
 
 /* An engine's bodies. Of the walls of a run, the first one's are used for all; where there are
  * none, only any() is called. */

@@ -130,6 +130,15 @@ struct Memories {
   }
   /* Only the list of the present status has something in it. */
   void set_status(int i, Status now);
+  /* False if the status has no list behind it: a sphere shows that of the body that it was part of.
+   */
+  bool has_list(int i) const {
+    const Memory *of = find(i);
+    const Status now = status(i);
+    return now == Status::FREE || (of && !(now == Status::RESTING     ? of->rests.empty()
+                                           : now == Status::REBOUNDED ? of->rebound.empty()
+                                                                      : of->stuck.empty()));
+  }
   /* It is not the wall's any more: only the number of its impacts stays. */
   void forget(int i) {
     set_status(i, Status::FREE);

@@ -707,7 +707,7 @@ void Members::list(const Spheres &s, int groupbit) {
   stuck.clear();
   touching.clear();
   for (int i = 0; i < s.n; i++)
-    if (!(s.mask[i] & groupbit))
+    if (!(s.mask[i] & groupbit) || !rows.has_list(i))
       rows.forget(i);
     else if (rows.is_stuck(i))
       stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
