@@ -34,42 +34,78 @@ const size_t NOTED_MOST = 32;
 /* Cosine below which two directions are at right angles. */
 const double ACROSS = 1e-9;
 
-/* The contact of a sphere that rests at a face; false: it is there no more. */
-bool look_under(const Flight &flight, const Rest &rest, Stepper &wall, const double v[3],
+/* A mover at the end of a step: its place, and what it would have without the walls, velocity and
+ * spin with their rates. */
+struct AtEnd {
+  Mover &mover;
+  const double dt;
+  double x[3], v[3], spin[3], a[3], alpha[3];
+  AtEnd(Mover &of, double step) : mover(of), dt(step) {}
+};
+
+/* The contact of a sphere that rests at a face; false: it is there no more. Fills what a rest needs
+ * of a touch. */
+bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double v[3],
                 const double spin[3], Touch &touch, double &distance) {
-  const Mover &mover = flight.mover;
+  const Mover &mover = now.mover;
   Contact &contact = touch.contact;
-  double arm[3], u[3];
-  touch = Touch();
+  double u[3];
   touch.wall = &wall;
   touch.shape = static_cast<size_t>(rest.shape) - 1;
   touch.sphere = mover.number_of(rest.sphere);
   if (touch.sphere == mover.count || touch.shape >= wall.setup.shapes.size())
     return false;
-  mover.arm(touch.sphere, arm);
-  aspi_add_scaled(flight.path.x, 1, arm, contact.x);
-  touch.before = flight.path;
-  aspi_copy(contact.x, touch.before.x);
+  aspi_copy(now.x, contact.x);
   aspi_copy(v, u);
   if (!mover.is_ball) {
-    aspi_cross(spin, arm, u);
-    aspi_add_scaled(u, 1, v, u);
+    double arm[3], across[3];
+    mover.arm(touch.sphere, arm);
+    aspi_add_scaled(contact.x, 1, arm, contact.x);
+    aspi_cross(spin, arm, across);
+    aspi_add_scaled(u, 1, across, u);
   }
+  aspi_copy(NONE, contact.n);
+  aspi_copy(NONE, contact.v_wall);
+  contact.follow = contact.curve = 0;
   if (!wall.setup.shapes[touch.shape].shape->under(static_cast<int>(rest.face), contact.x, u,
                                                    (1 + GAP) * mover.sphere[touch.sphere].radius,
                                                    contact, distance))
     return false;
-  aspi_copy(contact.n, contact.n_end);
   contact.piece = contact.face < 0 ? ~contact.face : contact.face;
+  if (!(fabs(contact.curve) > 0))
+    return true;
   aspi_subtract(u, contact.v_wall, u);
-  return fabs(contact.curve) * flight.dt < CURVE * aspi_length(u) || !(fabs(contact.curve) > 0);
+  return fabs(contact.curve) * now.dt < CURVE * aspi_length(u);
+}
+
+void leave(const Flight &flight, const Touch &touch, const Spheres &s) {
+  leave_stuck(flight, touch, s);
+}
+
+void leave(const Flight &flight, const Touch &touch, Bodies &bodies) {
+  Body &body = bodies.all[static_cast<size_t>(flight.mover.i)];
+  aspi_copy(flight.begin, body.v);
+  flight.mover.momentum_of(flight.spin, body.angular_momentum);
+  aspi_scale(body.mass, body.angular_momentum);
+  leave_stuck(flight, touch, bodies);
 }
 
 /* The hold of the valley at a rough wall; where the sphere has come to the next face, it hits that.
  * True where it has. */
-bool meet_face(Flight &flight, Touch &touch, double &hold, bool &sticks) {
-  const Contact &contact = touch.contact;
-  const double v[3] = {flight.begin[0], flight.begin[1], flight.begin[2]};
+template <class Kind>
+bool meet_face(AtEnd &now, Kind &kind, Stepper &first, Touch &touch, double &hold, bool &sticks) {
+  Contact &contact = touch.contact;
+  const double v[3] = {now.v[0], now.v[1], now.v[2]};
+  Flight flight(now.mover, kind, first);
+  flight.put_at_end(now.x);
+  aspi_copy(now.v, flight.begin);
+  aspi_add_scaled(now.v, -0.5 * now.dt, flight.a0, flight.v0);
+  flight.set_spin(now.spin);
+  touch.before = flight.path;
+  aspi_copy(contact.x, touch.before.x);
+  aspi_copy(contact.n, contact.n_end);
+  contact.time = contact.chord = contact.closing = 0;
+  contact.overlapped = false;
   Site site(flight, touch, v);
   site.press = contact.follow + contact.curve - aspi_dot(flight.free, contact.n);
   site.find_face(true);
@@ -77,6 +113,11 @@ bool meet_face(Flight &flight, Touch &touch, double &hold, bool &sticks) {
   if (hold > 0 || !site.moved || !site.graze())
     return false;
   sticks = take_impact(site, v);
+  if (sticks)
+    leave(flight, touch, kind);
+  count_events(flight);
+  aspi_copy(flight.begin, now.v);
+  aspi_copy(flight.spin, now.spin);
   return true;
 }
 
@@ -94,128 +135,130 @@ void sum_pushes(const Walls &walls, const Mover &mover, double push[3], double t
 /* What holds a mover; the next one uses the same lists. */
 struct Resting {
   std::vector<Touch> held;
-  std::vector<Support> supports;
+  std::vector<Support> supports; /* one of each */
+  size_t count;
 
-  /* alpha: the mover's angular acceleration. Changes the flight's velocity and spin to those of the
-   * end of the step. True: it has stuck. */
-  bool hold(const Walls &walls, Flight &flight, const double alpha[3], Touch &stuck);
+  Resting() : count(0) {}
+
+  /* Changes velocity and spin to those of the end of the step. True: it has stuck. */
+  template <class Kind> bool hold(const Walls &walls, Kind &kind, AtEnd &now);
 
 private:
-  bool find(const Walls &walls, Flight &flight, const double v[3], const double spin[3],
-            Touch &stuck);
-  void keep(const Walls &walls, const Flight &flight, const double v[3], const double spin[3]);
+  template <class Kind>
+  bool find(const Walls &walls, Kind &kind, AtEnd &now, const double v[3], const double spin[3],
+            bool &sticks);
+  void keep(const Walls &walls, const AtEnd &now, const double v[3], const double spin[3]);
 };
 
-/* v, spin: what the mover would have without the walls. False: it has hit a face on its way, and
- * these are others. */
-bool Resting::find(const Walls &walls, Flight &flight, const double v[3], const double spin[3],
-                   Touch &stuck) {
-  Mover &mover = flight.mover;
-  held.clear();
-  supports.clear();
+/* v, spin: in the middle of the next step, without the walls. False: it has hit a face on its way,
+ * and these are others. */
+template <class Kind>
+bool Resting::find(const Walls &walls, Kind &kind, AtEnd &now, const double v[3],
+                   const double spin[3], bool &sticks) {
+  Mover &mover = now.mover;
+  count = 0;
   for (Stepper *wall : walls) {
     const AtWall of = mover.at(*wall);
     const std::vector<Rest> &rests = of.rests();
-    const bool rough =
-        !rests.empty() && wall->setup.model.wall() && asp_wall_surface(wall->setup.model.wall());
     for (size_t k = 0; k < rests.size(); k++) {
-      Touch at;
+      const Rest &rest = rests[k];
       double distance, hold = 0;
-      bool sticks;
-      if (!look_under(flight, rests[k], *wall, v, spin, at, distance))
+      if (held.size() == count) {
+        held.push_back(Touch());
+        supports.push_back(Support());
+      }
+      Touch &at = held[count];
+      if (!look_under(now, rest, *wall, v, spin, at, distance))
         continue;
-      if (rough && meet_face(flight, at, hold, sticks)) {
-        of.drop_rest(k);
+      if (wall->is_rough && meet_face(now, kind, *walls[0], at, hold, sticks)) {
+        if (!sticks)
+          of.drop_rest(k);
         mover.members(*wall).ahead.expire(mover.i);
-        if (sticks)
-          stuck = at;
         return false;
       }
       const Contact &contact = at.contact;
       const double radius = mover.sphere[at.sphere].radius, off = radius - distance;
-      held.push_back(at);
-      supports.push_back(
-          support_of(mover, *wall, at.shape, at.sphere, contact.n, contact.v_wall, hold));
-      Support &support = supports.back();
-      aspi_copy(rests[k].push, support.p);
-      aspi_scale(flight.dt, support.p);
-      const bool counts = off < OVERLAP * radius && fabs(off) > ROUNDED_OFF * radius;
-      aspi_add_scaled(support.w,
-                      0.5 * flight.dt * (contact.follow + contact.curve) +
-                          (counts ? off / flight.dt : 0),
-                      contact.n, support.w);
+      Support &support = supports[count++];
+      set_support(mover, *wall, at.shape, at.sphere, contact.n, contact.v_wall, hold, support);
+      aspi_add_scaled(support.p, now.dt, rest.push, support.p);
+      double rises = 0.5 * now.dt * (contact.follow + contact.curve);
       if (!(off < OVERLAP * radius))
         mover.members(*wall).ahead.expire(mover.i);
+      else if (fabs(off) > ROUNDED_OFF * radius)
+        rises += off / now.dt;
+      aspi_add_scaled(support.w, rises, contact.n, support.w);
     }
   }
   return true;
 }
 
-/* True if a mover leaves a face that does not press it. */
-bool parts(const Flight &flight, const Touch &at, const Support &support, const double v[3],
-           const double spin[3]) {
+/* True if the contact carries no load and is opening. */
+bool lifts_off(const AtEnd &now, const Touch &at, const Support &support, const double v[3],
+               const double spin[3]) {
   double u[3];
   if (aspi_dot(support.p, support.n) > 0)
     return false;
   aspi_cross(spin, support.arm, u);
   aspi_add_scaled(u, 1, v, u);
   aspi_subtract(u, support.w, u);
-  return aspi_dot(u, support.n) * flight.dt > PARTS * flight.mover.sphere[at.sphere].radius;
+  return aspi_dot(u, support.n) * now.dt > PARTS * now.mover.sphere[at.sphere].radius;
 }
 
 /* Notes and counts what has held the mover. */
-void Resting::keep(const Walls &walls, const Flight &flight, const double v[3],
-                   const double spin[3]) {
-  const Mover &mover = flight.mover;
+void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], const double spin[3]) {
+  const Mover &mover = now.mover;
+  const double rate = 1 / now.dt;
+  size_t k = 0;
   for (Stepper *wall : walls) {
     const AtWall of = mover.at(*wall);
     std::vector<Rest> &rests = of.rests();
-    const size_t were = rests.size();
-    rests.clear();
-    for (size_t k = 0; k < held.size(); k++) {
+    size_t kept = 0;
+    for (; k < count && held[k].wall == wall; k++) {
       const Support &support = supports[k];
-      if (held[k].wall != wall || parts(flight, held[k], support, v, spin))
+      if (lifts_off(now, held[k], support, v, spin))
         continue;
-      rests.push_back(Rest());
-      Rest &rest = rests.back();
+      Rest &rest = rests[kept++];
       rest.sphere = static_cast<double>(mover.sphere[held[k].sphere].tag);
       rest.shape = static_cast<double>(held[k].shape) + 1;
       rest.face = held[k].contact.face;
-      aspi_copy(support.p, rest.push);
       twist_of(mover, support, rest.twist);
-      aspi_scale(1 / flight.dt, rest.push);
-      aspi_scale(1 / flight.dt, rest.twist);
-      add_load(flight, held[k], support, v, spin);
+      for (int d = 0; d < 3; d++) {
+        rest.push[d] = rate * support.p[d];
+        rest.twist[d] *= rate;
+      }
+      add_load(mover, now.x, held[k], support, v, spin);
     }
-    if (rests.size() < were)
+    if (kept < rests.size()) {
+      rests.resize(kept);
       mover.members(*wall).ahead.expire(mover.i);
+    }
     if (rests.empty())
       of.set_status(Status::FREE);
   }
 }
 
-bool Resting::hold(const Walls &walls, Flight &flight, const double alpha[3], Touch &stuck) {
+template <class Kind> bool Resting::hold(const Walls &walls, Kind &kind, AtEnd &now) {
   double before[3], turning[3], v[3], spin[3];
-  stuck.wall = NULL;
+  bool sticks = false;
   do {
-    aspi_add_scaled(flight.begin, 0.5 * flight.dt, flight.free, before);
-    aspi_add_scaled(flight.spin, 0.5 * flight.dt, alpha, turning);
-  } while (!find(walls, flight, before, turning, stuck) && !stuck.wall);
-  if (stuck.wall)
+    aspi_add_scaled(now.v, 0.5 * now.dt, now.a, before);
+    aspi_add_scaled(now.spin, 0.5 * now.dt, now.alpha, turning);
+  } while (!find(walls, kind, now, before, turning, sticks) && !sticks);
+  if (sticks)
     return true;
   aspi_copy(before, v);
   aspi_copy(turning, spin);
-  if (!supports.empty() && !solve_supports(flight.mover, supports, v, spin)) {
-    held.clear(); /* walls that close: the next flight finds out */
-    keep(walls, flight, v, spin);
-    aspi_copy(v, flight.begin);
+  if (count > 0 && !solve_supports(now.mover, Supports(supports.data(), count), v, spin)) {
+    count = 0; /* walls that close: the next flight finds out */
+    keep(walls, now, v, spin);
+    aspi_copy(v, now.v);
     return false;
   }
-  keep(walls, flight, v, spin);
-  aspi_subtract(v, before, v);
-  aspi_subtract(spin, turning, spin);
-  aspi_add_scaled(flight.begin, 0.5, v, flight.begin);
-  aspi_add_scaled(flight.spin, 0.5, spin, flight.spin);
+  keep(walls, now, v, spin);
+  for (int d = 0; d < 3; d++) {
+    now.v[d] += 0.5 * (v[d] - before[d]);
+    now.spin[d] += 0.5 * (spin[d] - turning[d]);
+  }
   return false;
 }
 
@@ -314,19 +357,18 @@ static void balance(Stepper &wall, Bodies &bodies, int i) {
 }
 
 /* Adds what walls give a mover to the forces that act on it. */
-static void push_one(const Walls &walls, const Spheres &s, int i) {
-  const size_t at = 3 * static_cast<size_t>(i);
+static void push(const Walls &walls, const Mover &mover, const Spheres &s) {
+  const size_t at = 3 * static_cast<size_t>(mover.i);
+  const double radius = mover.sphere->radius;
   double push[3], twist[3];
-  sum_pushes(walls, Mover(s, i), push, twist);
-  aspi_add_scaled(s.f + at, s.mass[i], push, s.f + at);
+  sum_pushes(walls, mover, push, twist);
+  aspi_add_scaled(s.f + at, mover.mass, push, s.f + at);
   if (s.torque)
-    aspi_add_scaled(s.torque + at, 0.4 * s.mass[i] * s.radius[i] * s.radius[i], twist,
-                    s.torque + at);
+    aspi_add_scaled(s.torque + at, 0.4 * mover.mass * radius * radius, twist, s.torque + at);
 }
 
-static void push_one(const Walls &walls, Bodies &bodies, int i) {
-  Body &body = bodies.all[static_cast<size_t>(i)];
-  const Mover mover(bodies, static_cast<size_t>(i));
+static void push(const Walls &walls, const Mover &mover, Bodies &bodies) {
+  Body &body = bodies.all[static_cast<size_t>(mover.i)];
   double push[3], twist[3], torque[3];
   sum_pushes(walls, mover, push, twist);
   aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
@@ -338,44 +380,45 @@ static void push_one(const Walls &walls, Bodies &bodies, int i) {
 /* A grain that rests at these walls. */
 static void end_one(const Walls &walls, const Spheres &s, int i, Resting &resting) {
   Mover mover(s, i);
-  Flight flight(mover, s, *walls[0]);
-  Touch stuck;
+  AtEnd now(mover, s.dt);
   const size_t at = 3 * static_cast<size_t>(i);
-  double alpha[3] = {0, 0, 0};
-  flight.put_at_end(s.x + at);
-  if (s.torque)
-    aspi_add_scaled(alpha, 1 / (0.4 * s.mass[i] * s.radius[i] * s.radius[i]), s.torque + at, alpha);
-  if (resting.hold(walls, flight, alpha, stuck))
-    leave_stuck(flight, stuck, s);
-  count_events(flight);
-  if (stuck.wall)
+  const double mass = s.mass[i], radius = s.radius[i];
+  aspi_copy(s.x + at, now.x);
+  aspi_copy(s.v + at, now.v);
+  aspi_copy(s.f + at, now.a);
+  aspi_scale(1 / mass, now.a);
+  aspi_copy(s.omega ? s.omega + at : NONE, now.spin);
+  aspi_copy(s.torque ? s.torque + at : NONE, now.alpha);
+  aspi_scale(1 / (0.4 * mass * radius * radius), now.alpha);
+  if (resting.hold(walls, s, now))
     return;
-  aspi_copy(flight.begin, s.v + at);
+  aspi_copy(now.v, s.v + at);
   if (s.omega)
-    aspi_copy(flight.spin, s.omega + at);
-  push_one(walls, s, i);
+    aspi_copy(now.spin, s.omega + at);
+  push(walls, mover, s);
 }
 
 static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting) {
   Body &body = bodies.all[static_cast<size_t>(i)];
   Mover mover(bodies, static_cast<size_t>(i));
-  Flight flight(mover, bodies, *walls[0]);
-  Touch stuck;
-  double torque[3], alpha[3];
-  flight.put_at_end(body.x);
-  aspi_copy(body.torque, torque);
-  aspi_scale(1 / mover.mass, torque);
-  mover.spin_of(torque, alpha);
-  const bool sticks = resting.hold(walls, flight, alpha, stuck);
+  AtEnd now(mover, bodies.dt);
+  double of_mass[3];
+  aspi_copy(body.x, now.x);
+  aspi_copy(body.v, now.v);
+  aspi_copy(body.acceleration, now.a);
+  aspi_copy(body.angular_momentum, of_mass);
+  aspi_scale(1 / mover.mass, of_mass);
+  mover.spin_of(of_mass, now.spin);
+  aspi_copy(body.torque, of_mass);
+  aspi_scale(1 / mover.mass, of_mass);
+  mover.spin_of(of_mass, now.alpha);
   body.is_changed = true;
-  count_events(flight);
-  aspi_copy(flight.begin, body.v);
-  mover.momentum_of(flight.spin, body.angular_momentum);
+  if (resting.hold(walls, bodies, now))
+    return;
+  aspi_copy(now.v, body.v);
+  mover.momentum_of(now.spin, body.angular_momentum);
   aspi_scale(mover.mass, body.angular_momentum);
-  if (sticks)
-    leave_stuck(flight, stuck, bodies);
-  else
-    push_one(walls, bodies, i);
+  push(walls, mover, bodies);
 }
 
 /* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
@@ -413,11 +456,13 @@ template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
 }
 
 void asperity::push_again(const Walls &walls, const Spheres &s) {
-  for_resting(walls, s, [&](const Walls &held_by, int i) { push_one(held_by, s, i); });
+  for_resting(walls, s, [&](const Walls &held_by, int i) { push(held_by, Mover(s, i), s); });
 }
 
 void asperity::push_again(const Walls &walls, Bodies &bodies) {
-  for_resting(walls, bodies, [&](const Walls &held_by, int i) { push_one(held_by, bodies, i); });
+  for_resting(walls, bodies, [&](const Walls &held_by, int i) {
+    push(held_by, Mover(bodies, static_cast<size_t>(i)), bodies);
+  });
 }
 
 void asperity::end_walls(const Walls &walls, const Spheres &s) {

@@ -276,18 +276,17 @@ void Flight::sustain(const Touch &touch, double hold) {
   follow_walls();
 }
 
-Support asperity::support_of(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
-                             const double n[3], const double v_wall[3], double hold) {
-  Support s = Support();
+void asperity::set_support(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
+                           const double n[3], const double v_wall[3], double hold, Support &s) {
+  const BodySphere &one = mover.sphere[sphere];
   aspi_copy(n, s.n);
   aspi_copy(v_wall, s.w);
   mover.arm(sphere, s.arm);
   if (!(hold > 0))
-    aspi_add_scaled(s.arm, -mover.sphere[sphere].radius, n, s.arm);
-  s.friction =
-      wall.setup.model.friction(mover.sphere[sphere].type, wall.setup.shapes[shape].wall_type);
+    aspi_add_scaled(s.arm, -one.radius, n, s.arm);
+  s.friction = wall.setup.model.friction(one.type, wall.setup.shapes[shape].wall_type);
   s.hold = hold;
-  return s;
+  aspi_copy(NONE, s.p);
 }
 
 void Flight::add_sustained(const Touch &touch, double least_speed, double hold) {
@@ -302,9 +301,9 @@ void Flight::add_sustained(const Touch &touch, double least_speed, double hold) 
   aspi_copy(contact.n, one.n);
   aspi_copy(contact.n_end, one.n_end);
   sustained.push_back(one);
-  supports.push_back(
-      support_of(mover, *touch.wall, touch.shape, touch.sphere, contact.n, contact.v_wall, hold));
+  supports.push_back(Support());
   Support &s = supports.back();
+  set_support(mover, *touch.wall, touch.shape, touch.sphere, contact.n, contact.v_wall, hold, s);
   aspi_add_scaled(s.w, 0.5 * path.left * contact.follow + contact.chord, contact.n, s.w);
 
   double before[3];
@@ -336,8 +335,8 @@ void Flight::follow_walls() {
     along.resize(sustained.size());
     for (size_t k = 0; k < sustained.size(); k++) {
       const Sustained &one = sustained[k];
-      along[k] = support_of(mover, *one.touch.wall, one.touch.shape, one.touch.sphere, one.n_end,
-                            one.n_end, 0);
+      set_support(mover, *one.touch.wall, one.touch.shape, one.touch.sphere, one.n_end, one.n_end,
+                  0, along[k]);
       along[k].friction = 0;
       aspi_scale(one.least_speed, along[k].w);
     }
@@ -354,14 +353,13 @@ void Flight::follow_walls() {
   }
 }
 
-void asperity::add_load(const Flight &flight, const Touch &touch, const Support &s,
+void asperity::add_load(const Mover &mover, const double x[3], const Touch &touch, const Support &s,
                         const double v[3], const double spin[3]) {
-  const Mover &mover = flight.mover;
   double turned[3];
-  mover.twist(s.arm, s.p, turned);
-  ContactLoad load =
-      mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, flight.path.x, s.p,
-                 s.hold > 0 ? (mover.is_ball ? s.turn : turned) : NULL);
+  if (s.hold > 0)
+    twist_of(mover, s, turned);
+  ContactLoad load = mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, x, s.p,
+                                s.hold > 0 ? turned : NULL);
   load.dissipated = mover.mass * slide_work(mover, s, v, spin);
   touch.wall->books.add_load(touch.shape, load);
 }
@@ -372,7 +370,7 @@ void Flight::settle() {
   for (size_t k = 0; k < sustained.size(); k++) {
     const Touch &touch = sustained[k].touch;
     const Support &s = supports[k];
-    add_load(*this, touch, s, half, spin);
+    add_load(mover, path.x, touch, s, half, spin);
     aspi_add_scaled(settled, 1, s.p, settled);
     const AtWall at = mover.at(*touch.wall);
     if (at.status() != Status::RESTING)

@@ -118,13 +118,13 @@ private:
   double along_path(const Touch &touch, const double n[3]) const;
 };
 
-/* The support of a contact. */
-Support support_of(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
-                   const double n[3], const double v_wall[3], double hold);
+/* The support of a contact, without an impulse yet. */
+void set_support(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
+                 const double n[3], const double v_wall[3], double hold, Support &support);
 
-/* Counts the load of a solved contact, which leaves the mover this velocity and spin. */
-void add_load(const Flight &flight, const Touch &touch, const Support &support, const double v[3],
-              const double spin[3]);
+/* Counts the load of a solved contact of a mover at x, which leaves it this velocity and spin. */
+void add_load(const Mover &mover, const double x[3], const Touch &touch, const Support &support,
+              const double v[3], const double spin[3]);
 
 /* A contact, and the face of the rough wall there. */
 struct Site {

@@ -368,8 +368,9 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
       return static_cast<int>(k);
     }
     e += restitution;
-    points.push_back(support_of(flight.mover, *touches[k].wall, touches[k].shape, touches[k].sphere,
-                                touches[k].contact.n, touches[k].contact.v_wall, 0));
+    points.push_back(Support());
+    set_support(flight.mover, *touches[k].wall, touches[k].shape, touches[k].sphere,
+                touches[k].contact.n, touches[k].contact.v_wall, 0, points.back());
   }
   e = std::min(1.0, std::max(0.0, e / static_cast<double>(touches.size())));
   aspi_copy(v, after);
@@ -701,7 +702,7 @@ void asperity::step_bodies(const Walls &walls, Bodies &bodies) {
 
 Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_still(false), has_to_delete(false), is_cut(false) {}
+      is_in_step(false), is_rough(false), is_still(false), has_to_delete(false), is_cut(false) {}
 
 void Members::list(const Spheres &s, int groupbit) {
   stuck.clear();
@@ -742,6 +743,7 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
         if (!(at.shape >= 1)) /* it stays where it is before the engine moves it */
           aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
     }
+  is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
   grains.begin_run(setup, s);
   reorder(s);
 }
