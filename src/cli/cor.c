@@ -150,8 +150,6 @@ static void print_summary(FILE *out, const scene *s, const cli_list *angles, con
           erodes ? ",eroded_mean,eroded_sd" : "");
   for (size_t i = 0; i < angles->count * groups; i++) {
     const sums *one = &of[i];
-    if (one->impacts == 0)
-      continue;
     cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%.0f", value_of_group(&s->sizes, i % groups, 1e6),
             value_of_group(&s->speeds, i % groups / sizes, 1), angles->values[i / groups],
             one->impacts, capture_share(one), one->cor_n.n);
@@ -211,7 +209,7 @@ static cli_list ratios(double from, double to) {
                    .least = from,
                    .most = to};
   for (int i = 0; i < CAPTURE_POINTS; i++)
-    list.values[i] = from * pow(to / from, i / (CAPTURE_POINTS - 1.));
+    list.values[i] = fmin(from * pow(to / from, i / (CAPTURE_POINTS - 1.)), to);
   return list;
 }
 
@@ -254,9 +252,8 @@ static void run(cli_call *call) {
   cli_list angles = cli_impact_angles(call);
   if (capture && angles.count != 1)
     cli_bad_usage("--angles is '%s'; --capture takes one angle", cli_value(call, "angles"));
-  size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000);
+  size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000) * count_groups(&s);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
-  samples *= capture ? count_groups(&s) : 1;
   FILE *out = cli_table_open(call, s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)
@@ -273,7 +270,7 @@ static const cli_option options[] = {
     {"dp", "SIZES", "diameters: a list, or lognormal:min:max:median [10um]", NULL},
     {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median [100]", NULL},
     {"angles", "DEGREES", "impact angles: a list [1:90:1]", NULL},
-    {"samples", "N", "impacts per angle", "100"},
+    {"samples", "N", "impacts per angle, size and speed", "100"},
     {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
      NULL},
     {"capture", NULL, "the share that sticks, over diameter and speed at one angle", NULL},
@@ -290,9 +287,9 @@ static const char detail[] =
     "--summary has one row per angle, size and speed instead: the number of impacts, the\n"
     "share that sticks, and mean and sd of the coefficients of the n that rebound; with\n"
     "`erosion` also mean and sd of the mass worn off the wall per mass of particles, over\n"
-    "all impacts. --capture has these rows for --samples impacts of each diameter (0.5 to\n"
-    "200 um) and speed (0.1 to 1000 m/s) at one angle (90 degrees); its picture shows the\n"
-    "share that sticks. --columns ledger writes the columns of a wall's ledger in `units si`\n"
+    "all impacts. --capture has these rows for diameters from 0.5 to 200 um and speeds from\n"
+    "0.1 to 1000 m/s at one angle (90 degrees); its picture shows the share that sticks.\n"
+    "--columns ledger writes the columns of a wall's ledger in `units si`\n"
     "(outcome 0 or 1). lognormal:min:max:median is a log-normal distribution cut at min and\n"
     "max; its logarithm has the standard deviation ln(max/min)/5.\n";
 
