@@ -136,7 +136,7 @@ typedef struct asp_question {
 
 /* Asks the index-th question about what is allowed and still looks like a mistake, from 0: the
  * doubt to `text`, at most `size` characters, "" if there is none; false past the last question.
- * Asked are heights over 1000 diameters, a hardness under 1 MPa, R_Sm without its sampling length;
+ * Asked are heights over 1000 diameters, a hardness under 50 MPa, R_Sm without its sampling length;
  * odd heights of a file that the library read, a file that tells little about the smallest
  * particles; a law or a model that does not suit the wall; a density more than 1 % off that of the
  * material, a yield stress above a tenth of the composite modulus, and adhesion that holds every

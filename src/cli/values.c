@@ -56,7 +56,8 @@ static const char *given(const cli_option *option) {
 
 void cli_check_unit(const char *name, const char *text, const char *kind) {
   bool stress = strcmp(kind, "stress") == 0;
-  const char *unit = stress ? "Pa" : "m", *usual = stress ? "MPa" : "um";
+  const char *unit = stress ? "Pa" : "m";
+  const char *usual = strcmp(name, "oka") == 0 ? "GPa" : stress ? "MPa" : "um"; /* a hardness */
   char *end;
   double value = aspi_number(text, &end);
   bool odd = stress ? value > 0 && value < STRESS_WITHOUT_UNIT : value > LENGTH_WITHOUT_UNIT;

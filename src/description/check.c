@@ -61,7 +61,8 @@ static asp_code check_spread(const asp_description *d, asp_error *error) {
 
 static asp_code check_erosion(const asp_description *d, asp_error *error) {
   const aspi_erosion *erosion = &d->choice.erosion;
-  if (!erosion->law || erosion->density > 0 || (d->n_materials > 0 && d->choice.law->needs_pair))
+  if (!erosion->law || !erosion->law->is_volume || erosion->density > 0 ||
+      (d->n_materials > 0 && d->choice.law->needs_pair))
     return ASP_OK;
   return aspi_fail(error, ASP_EARG,
                    "erosion needs the density of the wall: by 'materials', or 'density RHO' in its "

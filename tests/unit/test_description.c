@@ -540,6 +540,8 @@ static void odd_numbers_are_doubted(void **state) {
       /* the doubt without a diameter, and with one */
       {"surface rq 5 lambda_c 40", "rq is 5, which is 5 m", "rq is 5 m, 5e+05 times the diameter"},
       {"erosion oka 1.8 density 7800", "hardness is 1.8, which is 1.8 Pa", "hardness is 1.8"},
+      {"erosion oka 1.8MPa density 7800",
+       "hardness is 1.8e+06, which is 1.8e+06 Pa; is it one in GPa?", "hardness"},
       {"erosion finnie 200 density 7800", "flow_stress is 200, which is 200 Pa", "flow_stress"},
       {"surface rq 5um rsm 264um", "may be 3.609e-05 m to 5.157e-05 m", "may be 3.609e-05 m"}};
   char text[1500];

@@ -144,7 +144,7 @@ static void faces_wear_more_at_grazing(void **state) {
 
 static void words_are_checked(void **state) {
   static const char *const bad[][2] = {
-      {"erosion dnv" WALTON, "density"},
+      {"erosion oka 1GPa" WALTON, "density"},
       {"erosion dnc density 7800" WALTON, "dnv"},
       {"erosion finnie density 7800" WALTON, "flow_stress"},
       {"erosion ecrc 120 grains wet density 7800" WALTON, "semi_rounded"},
