@@ -276,8 +276,8 @@ double asp_material_get(const asp_material *material, const char *name); /* NaN 
 /* Constants of a contact between a particle and a wall material. By name:
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
  *   yield_stress    the particle's, >= 0
- *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, which is in SI: set
- *                   it where the materials are in other units)
+ *   surface_energy  half of the work of adhesion per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY,
+ *                   which is in SI: set it where the materials are in other units)
  *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);
 void asp_pair_free(asp_pair *pair);
