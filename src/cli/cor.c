@@ -112,22 +112,18 @@ static void print_header(FILE *out, bool as_ledger) {
 
 /* Sums over the impacts of one angle, size and speed. */
 typedef struct sums {
-  size_t impacts;
+  size_t impacts, deposits;
   aspi_running cor_n, cor_t, eroded;
 } sums;
 
 static void add_to_sums(sums *to, const row *r) {
   to->impacts++;
   aspi_running_add(&to->eroded, r->of.impact.eroded);
-  if (r->of.impact.outcome == ASP_DEPOSIT)
-    return;
-  aspi_running_add(&to->cor_n, r->of.cor.cor_n);
+  to->deposits += r->of.impact.outcome == ASP_DEPOSIT;
+  if (isfinite(r->of.cor.cor_n))
+    aspi_running_add(&to->cor_n, r->of.cor.cor_n);
   if (isfinite(r->of.cor.cor_t))
     aspi_running_add(&to->cor_t, r->of.cor.cor_t);
-}
-
-static double capture_share(const sums *of) {
-  return 1 - of->cor_n.n / (double)of->impacts;
 }
 
 /* Mean and sd, empty where there are none. */
@@ -150,9 +146,10 @@ static void print_summary(FILE *out, const scene *s, const cli_list *angles, con
           erodes ? ",eroded_mean,eroded_sd" : "");
   for (size_t i = 0; i < angles->count * groups; i++) {
     const sums *one = &of[i];
-    cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%.0f", value_of_group(&s->sizes, i % groups, 1e6),
+    cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%zu", value_of_group(&s->sizes, i % groups, 1e6),
             value_of_group(&s->speeds, i % groups / sizes, 1), angles->values[i / groups],
-            one->impacts, capture_share(one), one->cor_n.n);
+            one->impacts, (double)one->deposits / (double)one->impacts,
+            one->impacts - one->deposits);
     print_moments(out, &one->cor_n);
     print_moments(out, &one->cor_t);
     if (erodes)
@@ -283,7 +280,8 @@ static const char detail[] =
     "wall z = 0. cor_n, cor_t, cor_v_plane (v2/v1) and cor_alpha_plane (alpha2/alpha1)\n"
     "refer to the velocity in the plane of incidence, as a camera from the side sees it\n"
     "(alpha2 from 0 to 180 degrees); cor_v_space and cor_alpha_space refer to the velocity\n"
-    "in space (alpha2 from 0 to 90). At normal impact cor_t is undefined and empty.\n"
+    "in space (alpha2 from 0 to 90). At normal impact cor_t is undefined and empty,\n"
+    "and so are cor_n and cor_alpha of a particle that slides.\n"
     "--summary has one row per angle, size and speed instead: the number of impacts, the\n"
     "share that sticks, and mean and sd of the coefficients of the n that rebound; with\n"
     "`erosion` also mean and sd of the mass worn off the wall per mass of particles, over\n"

@@ -7,9 +7,6 @@
 
 #include <string.h>
 
-/* Limit of the ratios, for impact angles near zero. */
-#define RATIO_MOST 1e300
-
 /* Without a pair that the law needs the particle keeps its velocity. */
 static asp_code fail_pair(const asp_particle *particle, const double v1[3], asp_impact *impact) {
   *impact = (asp_impact){.outcome = ASP_REBOUND};
@@ -143,37 +140,28 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
   return fail_law(wall, code, error);
 }
 
-/* a/b, limited to RATIO_MOST. */
-static double ratio(double a, double b) {
-  if (b > fabs(a) / RATIO_MOST)
-    return a / b;
-  return a > 0 ? RATIO_MOST : 0;
-}
-
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact) {
   vec before = load(v1), after = load(impact->v2);
   frame f = frame_of(before, load(n));
   double n2 = dot(after, f.n), along = dot(after, f.along) * f.per_length;
-  bool directed = has_direction(&f);
   asp_coefficients c = {.v1 = sqrt(dot(before, before)),
                         .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
-                        .v2 = sqrt(dot(after, after)),
-                        .cor_t = NAN};
+                        .v2 = sqrt(dot(after, after))};
   if (impact->outcome == ASP_DEPOSIT) {
-    c.cor_v = c.cor_alpha = c.cor_n = c.cor_v_space = c.cor_alpha_space = NAN;
+    c.cor_v = c.cor_alpha = c.cor_n = c.cor_t = c.cor_v_space = c.cor_alpha_space = NAN;
     return c;
   }
-  if (!directed)
-    along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
+  double along_space = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
+  if (!has_direction(&f))
+    along = along_space;
   c.alpha2 = atan2(n2, along);
-  c.cor_v = ratio(hypot(n2, along), c.v1);
-  c.cor_alpha = ratio(c.alpha2, c.alpha1);
-  c.cor_v_space = ratio(c.v2, c.v1);
-  c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
-  c.cor_n = ratio(n2, f.v_n);
-  if (directed)
-    c.cor_t = along / f.v_t;
+  c.cor_v = aspi_quotient(hypot(n2, along), c.v1, c.v1);
+  c.cor_alpha = aspi_quotient(c.alpha2, c.alpha1, 1);
+  c.cor_v_space = aspi_quotient(c.v2, c.v1, c.v1);
+  c.cor_alpha_space = aspi_quotient(atan2(n2, along_space), c.alpha1, 1);
+  c.cor_n = aspi_quotient(n2, f.v_n, c.v1);
+  c.cor_t = aspi_quotient(along, f.v_t, c.v1);
   return c;
 }
 

@@ -163,7 +163,7 @@ static double smith(double nu) {
 /* The slope of a flight over the mean wall, in (t, b, n). */
 static double rise_of(vec out) {
   double along = hypot(out.x, out.y);
-  return along <= NO_DIRECTION * fabs(out.z) ? copysign(INFINITY, out.z) : out.z / along;
+  return along <= ASPI_ROUNDING_DOUBLE * fabs(out.z) ? copysign(INFINITY, out.z) : out.z / along;
 }
 
 static double exponential(aspi_stream *stream) {

@@ -116,6 +116,9 @@ rows means | cut -d, -f3- | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", 
 "$asperity" cor surface sigma 5 deposit off --dp 5um,50um --speed 80,100 --angles 40,60 --samples 11 -o all
 paste -d, <(rows means | cut -d, -f1-4,7) <(rows all | awk -F, '{ k = $1 "," $2 "," $3; if (!(k in n)) of[++m] = k; n[k]++; s[k] += $8 } END { for (i = 1; i <= m; i++) print of[i] "," n[of[i]] "," s[of[i]] / n[of[i]] }') |
   awk -F, '{ d = $5 - $10; if ($1 "," $2 "," $3 "," $4 != $6 "," $7 "," $8 "," $9 || d * d > 1e-10) bad = 1 } END { exit bad || NR != 8 }' || die "cor --summary of two sizes and speeds: $(cat means)"
+# Along the wall there is no CoR_N, and yet a rebound.
+"$asperity" cor rebound walton 0.9 0.3 0 --angles 1e-12 --samples 3 --summary -o along
+[ "$(rows along | cut -d, -f4-8)" = 3,0,3,, ] || die "cor along the wall: $(cat along)"
 # --samples counts for each of them; the last value of a range is its end.
 "$asperity" cor --dp 1um:200um:1um --angles 45 --samples 1 --summary -o means
 [ "$(rows means | awk -F, '$1 == NR && $4 == 1' | wc -l)" = 200 ] || die "cor --summary of 200 sizes: $(rows means | wc -l) rows"

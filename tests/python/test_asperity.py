@@ -56,7 +56,7 @@ class Walls(unittest.TestCase):
                       f"surface rq 15um lambda_c 120um spread profile deposit off friction 0.5 {PAIR}",
                       "surface sigma 8 rebound walton 0.9 0.3 0 grain lever 0.1", f"surface smooth {PAIR}"):
             rows = ledger(self.folder, words, "--dp", "2um,20um,50um", "--speed", "30,200", "--angles",
-                          "2,20,70,89", "--samples", "300")
+                          "2,20,70,89", "--samples", "50")
             wall = asperity.Wall(words, (2e-6, 50e-6), name="cor")
             self.assertTrue(asperity.heading(rows).endswith("; " + wall.text))
             v1 = asperity.velocities(rows["v1"], np.radians(rows["alpha1_deg"]))
@@ -107,6 +107,8 @@ class Walls(unittest.TestCase):
         np.testing.assert_allclose(cor["alpha2"], np.arctan2(2, 2.1))
         straight = wall.impacts((0, 0, -1), 1e-5)
         self.assertTrue(np.isnan(asperity.coefficients((0, 0, -1), straight)["cor_t"][0]))
+        along = asperity.coefficients((1, 0, -1e-17), straight)
+        self.assertTrue(np.isnan(along["cor_n"][0]) and np.isnan(along["cor_alpha"][0]))
         self.assertEqual(len(wall.impacts(np.zeros((0, 3)), 1e-5)), 0)
 
     def test_numbers_and_words(self):

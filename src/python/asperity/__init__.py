@@ -375,7 +375,8 @@ def coefficients(v1: ArrayLike, impacts: NDArray[np.void],
     -------
     array of asp_coefficients, by columns
         v1, alpha1, v2, alpha2, cor_v, cor_alpha, cor_n, cor_v_space, cor_alpha_space, cor_t.
-        Coefficients are nan for deposits, and cor_t at normal impact.
+        Coefficients are nan for deposits, cor_t also at normal impact, cor_n and
+        cor_alpha also where v1 has no normal part.
 
     Examples
     --------
