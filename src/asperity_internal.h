@@ -219,11 +219,17 @@ double asp_surface_face_length(const asp_surface *surface, double d_p);
 /* n contacts as asp_wall_impacts makes them, and the likelihood ratios of their draws on other
  * walls: weights[n][n_others], the density of a contact's faces and flights there over that on its
  * own wall, with mean 1. Weighted means over contacts are those on the other wall. ASP_EARG if a
- * wall is smooth, its model has no density (traced), or it has `collisions single`. */
+ * wall is smooth, its model has no density (traced), or it has `collisions single`; ASP_ERANGE if
+ * another wall is more than 1.4 times as steep. */
 asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,
                           double *weights, asp_error *error);
+
+/* The largest ratio of rms slopes that a particle meets on the other wall and on this one, across
+ * the lay and along it; both are rough. */
+double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_particle *particle,
+                        const double n[3]);
 
 /* ---- contacts that follow each other closely ------------------------------------------------- */
 /* A wall is made of faces that have a length. A particle that has met one meets the next after its

@@ -246,7 +246,12 @@ class Walls(unittest.TestCase):
                 ({}, "surface smooth " + PAIR, "must be given by rq and lambda_c, or by sigma"),
                 ({}, "surface rq 4um lambda_c 40um spread multicollision plane " + PAIR, "has no weights")):
             self.assertRegex(self.sensitivity({**table, **changed}, *words.split()), text)
-        self.assertRegex(self.sensitivity(table, *own.split(), "--to", "surface rq 30um lambda_c 40um"),
+        for to, text in (("surface rq 5.7um lambda_c 40um", "1.4[0-9]* times as steep.*at most 1.4 times"),
+                         ("surface profile w.csv", "--to is 'surface profile w.csv'.*rq and lambda_c")):
+            self.assertRegex(self.sensitivity(table, *own.split(), "--to", to), text)
+        self.assertRegex(self.sensitivity(table, *f"{own} spread traced".split()), "spread is 'traced'.*as visible")
+        few = {name: np.broadcast_to(values, n)[:130] for name, values in table.items()}
+        self.assertRegex(self.sensitivity(few, *own.split(), "--to", "surface rq 5.5um lambda_c 40um"),
                          "it must be at least 100")
         self.assertRegex(self.sensitivity(table, *own.split(), "--to", "rq 5um"), "--to is 'rq 5um'")
         del table["mass"]
