@@ -106,7 +106,7 @@ typedef struct asp_particle {
                          is projected on the wall; NULL, or along n: it flies across the lay */
   double temperature; /* K, in place of that of the description; 0: that one */
   double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
-                         the description; 0: that one */
+                         the description; 0: that one; negative: the gas is at rest */
   const asp_body *body; /* NULL: a solid sphere */
 } asp_particle;
 
@@ -226,7 +226,8 @@ double asp_wall_slope(const asp_wall *wall, double d_p);
 typedef struct asp_heights asp_heights;
 
 /* From z[rows * columns], row after row, which are copied: numbers, at least three in a row, and
- * one row or at least three. step_x: between the points of a row; step_y: between rows. */
+ * one row or at least three. step_x: between the points of a row; step_y: between rows, not used
+ * for one row. */
 asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
                                 double step_y, bool periodic, asp_error *error);
 void asp_heights_free(asp_heights *heights);

@@ -160,8 +160,8 @@ double asp_description_capture_speed(const asp_description *description,
  * called at setup, before the contacts begin. */
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error);
 
-/* The wall's own numbers: phi_r (eq. 9), and the unfiltered rms slope: sqrt(2) phi_r of a Gaussian
- * wall. */
+/* The wall's own numbers, NaN for those that a wall by sigma does not have: phi_r (eq. 9), and the
+ * unfiltered rms slope: sqrt(2) phi_r of a Gaussian wall. */
 double asp_surface_r_q(const asp_surface *surface);
 double asp_surface_lambda_c(const asp_surface *surface);
 double asp_surface_lambda_along(const asp_surface *surface); /* lambda_c where there is no lay */

@@ -24,7 +24,7 @@ double aspi_flow_adhesion(const aspi_flow *flow, double d_p) {
 
 asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
                               const asp_key *key) {
-  double u_tau = particle->u_tau > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
+  double u_tau = fabs(particle->u_tau) > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
   aspi_stream stream = aspi_stream_begin(key);
   asp_removal out = {0, -log(aspi_stream_uniform(&stream))};
   if (!(flow->density > 0) || !(u_tau > 0) || !particle->pair)

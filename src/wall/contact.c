@@ -8,12 +8,12 @@
 
 #include <string.h>
 
-/* Without a pair that the law needs the particle keeps its velocity. */
-static asp_code fail_pair(const asp_particle *particle, const double v1[3], asp_impact *impact) {
+/* The particle keeps its velocity: without a pair that the law needs, and where that is no number.
+ */
+static void pass(const asp_particle *particle, const double v1[3], asp_impact *impact) {
   *impact = (asp_impact){.outcome = ASP_REBOUND};
   store(load(v1), impact->v2);
   store(load(particle->omega), impact->omega);
-  return ASP_EARG;
 }
 
 /* Draws the lever of a sphere whose center of mass is off by N(0, sd) per axis, given that its
@@ -70,10 +70,16 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
                           const aspi_ratios *ratios, asp_impact *impact) {
   asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
-    if (!wall->pair)
-      return fail_pair(particle, v1, impact);
+    if (!wall->pair) {
+      pass(particle, v1, impact);
+      return ASP_EARG;
+    }
     own = aspi_with_pair(wall, particle);
     particle = &own;
+  }
+  if (!isfinite(v1[0] + v1[1] + v1[2])) {
+    pass(particle, v1, impact);
+    return ASP_OK;
   }
   aspi_stream stream = aspi_stream_begin(key);
   if (wall->lever > 0 && !particle->body)

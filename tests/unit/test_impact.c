@@ -395,6 +395,29 @@ static void no_coefficient_by_rounding(void **state) {
   assert_true(isnan(still.cor_v) && isnan(still.cor_v_space) && isnan(still.cor_n));
 }
 
+/* A velocity that is no number stays as it is, and has no coefficients. */
+static void no_number(void **state) {
+  static const double bad[][3] = {
+      {NAN, 0, -1}, {1, 0, NAN}, {1, NAN, -1}, {INFINITY, 0, -1}, {1, 0, -INFINITY}};
+  static const char *const walls[] = {"surface smooth rebound walton 0.9 0.3 0",
+                                      "surface sigma 10 rebound walton 0.9 0.3 0",
+                                      "surface sigma 10 spread profile rebound constant 0.5 0.5",
+                                      "surface sigma 10 rebound walton 0.9 0.3 0 grain lever 0.1"};
+  for (size_t w = 0; w < sizeof walls / sizeof *walls; w++) {
+    asp_wall *wall = asp_wall_from_text(walls[w], 0, 0, NULL);
+    assert_non_null(wall);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+      asp_impact impact;
+      assert_int_equal(asp_wall_impact(wall, &grain, bad[i], up, &(asp_key){1, 1, 1, 1}, &impact),
+                       ASP_OK);
+      assert_memory_equal(impact.v2, bad[i], sizeof bad[i]);
+      asp_coefficients c = asp_impact_coefficients(bad[i], up, &impact);
+      assert_true(isnan(c.cor_n) && isnan(c.cor_v));
+    }
+    asp_wall_free(wall);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(smooth_wall_is_the_law),
@@ -411,6 +434,7 @@ int main(void) {
       cmocka_unit_test(many_impacts_are_single_ones),
       cmocka_unit_test(a_pair_is_needed),
       cmocka_unit_test(properties),
+      cmocka_unit_test(no_number),
       cmocka_unit_test(no_coefficient_by_rounding),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

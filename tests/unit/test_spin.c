@@ -299,6 +299,13 @@ static void a_flow_takes_away(void **state) {
   particle.u_tau = 100;
   assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate, 0.00658e4 / 1.5e-5,
               1e-3);
+  particle.u_tau = -1; /* at rest, whatever the words say */
+  asp_wall_free(wall);
+  choice.flow.u_tau = 100;
+  wall = wall_of(&choice);
+  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate, 0, 0);
+  particle.u_tau = 0;
+  assert_true(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate > 0);
   asp_wall_free(wall);
 }
 
