@@ -222,10 +222,10 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk),    cmocka_unit_test(deleted), cmocka_unit_test(cut_short),
-                                     cmocka_unit_test(every_length), cmocka_unit_test(two_walls),
-                                     cmocka_unit_test(no_file),      cmocka_unit_test(long_tags),
-                                     cmocka_unit_test(links),        cmocka_unit_test(slides)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(full_disk),    cmocka_unit_test(deleted),   cmocka_unit_test(cut_short),
+      cmocka_unit_test(every_length), cmocka_unit_test(two_walls), cmocka_unit_test(no_file),
+      cmocka_unit_test(long_tags),    cmocka_unit_test(links),     cmocka_unit_test(slides)};
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;
