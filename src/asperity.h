@@ -106,7 +106,7 @@ typedef struct asp_particle {
                          is projected on the wall; NULL, or along n: it flies across the lay */
   double temperature; /* K, in place of that of the description; 0: that one */
   double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
-                         the description; 0: that one */
+                         the description; 0: that one; negative: the gas is at rest */
   const asp_body *body; /* NULL: a solid sphere */
 } asp_particle;
 
@@ -141,16 +141,17 @@ asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *pa
                           const double *v1, const double *normals, const asp_key *keys,
                           asp_impact *impacts, asp_error *error);
 
-/* The coefficients of restitution of a contact about the mean wall (eq. 1). */
+/* The coefficients of restitution of a contact about the mean wall (eq. 1). A quotient is NAN for a
+ * deposit, and where what it divides by is no more than rounding, 1e-12 of v1 or of 1 rad: cor_n
+ * and cor_alpha of a particle that slides, cor_t at normal impact. */
 typedef struct asp_coefficients {
   double v1, alpha1;
-  double v2;                      /* in space */
-  double alpha2;                  /* in the plane of incidence: atan2(v2.n, v2.t), 0 to pi; 0 for a
-                                     deposit, whose coefficients are NAN */
-  double cor_v, cor_alpha, cor_n; /* in the plane, cor_v too: up to 1e300, at an impact angle of
-                                     nearly nothing */
+  double v2;                           /* in space */
+  double alpha2;                       /* in the plane of incidence: atan2(v2.n, v2.t), 0 to pi; 0
+                                          for a deposit */
+  double cor_v, cor_alpha, cor_n;      /* in the plane */
   double cor_v_space, cor_alpha_space; /* v2/v1, and asin(v2.n/v2)/alpha1 */
-  double cor_t; /* signed; NAN where v1 has no tangential part (below 1e-12 of v1) */
+  double cor_t;                        /* signed */
 } asp_coefficients;
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
@@ -225,7 +226,8 @@ double asp_wall_slope(const asp_wall *wall, double d_p);
 typedef struct asp_heights asp_heights;
 
 /* From z[rows * columns], row after row, which are copied: numbers, at least three in a row, and
- * one row or at least three. step_x: between the points of a row; step_y: between rows. */
+ * one row or at least three. step_x: between the points of a row; step_y: between rows, not used
+ * for one row. */
 asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
                                 double step_y, bool periodic, asp_error *error);
 void asp_heights_free(asp_heights *heights);
@@ -276,8 +278,9 @@ double asp_material_get(const asp_material *material, const char *name); /* NaN 
 /* Constants of a contact between a particle and a wall material. By name:
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
  *   yield_stress    the particle's, >= 0
- *   surface_energy  energy per area, >= 0; 0: no adhesion (ASP_SURFACE_ENERGY, which is in SI: set
- *                   it where the materials are in other units)
+ *   surface_energy  half of the work of adhesion, energy per area, >= 0; 0: no adhesion
+ *                   (ASP_SURFACE_ENERGY, which is in SI: set it where the materials are in other
+ *                   units)
  *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);
 void asp_pair_free(asp_pair *pair);

@@ -136,7 +136,7 @@ typedef struct asp_question {
 
 /* Asks the index-th question about what is allowed and still looks like a mistake, from 0: the
  * doubt to `text`, at most `size` characters, "" if there is none; false past the last question.
- * Asked are heights over 1000 diameters, a hardness under 1 MPa, R_Sm without its sampling length;
+ * Asked are heights over 1000 diameters, a hardness under 50 MPa, R_Sm without its sampling length;
  * odd heights of a file that the library read, a file that tells little about the smallest
  * particles; a law or a model that does not suit the wall; a density more than 1 % off that of the
  * material, a yield stress above a tenth of the composite modulus, and adhesion that holds every
@@ -160,8 +160,8 @@ double asp_description_capture_speed(const asp_description *description,
  * called at setup, before the contacts begin. */
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error);
 
-/* The wall's own numbers: phi_r (eq. 9), and the unfiltered rms slope: sqrt(2) phi_r of a Gaussian
- * wall. */
+/* The wall's own numbers, NaN for those that a wall by sigma does not have: phi_r (eq. 9), and the
+ * unfiltered rms slope: sqrt(2) phi_r of a Gaussian wall. */
 double asp_surface_r_q(const asp_surface *surface);
 double asp_surface_lambda_c(const asp_surface *surface);
 double asp_surface_lambda_along(const asp_surface *surface); /* lambda_c where there is no lay */
@@ -219,11 +219,17 @@ double asp_surface_face_length(const asp_surface *surface, double d_p);
 /* n contacts as asp_wall_impacts makes them, and the likelihood ratios of their draws on other
  * walls: weights[n][n_others], the density of a contact's faces and flights there over that on its
  * own wall, with mean 1. Weighted means over contacts are those on the other wall. ASP_EARG if a
- * wall is smooth, its model has no density (traced), or it has `collisions single`. */
+ * wall is smooth, its model has no density (traced), or it has `collisions single`; ASP_ERANGE if
+ * another wall is more than 1.4 times as steep. */
 asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,
                           double *weights, asp_error *error);
+
+/* The largest ratio of rms slopes that a particle meets on the other wall and on this one, across
+ * the lay and along it; both are rough. */
+double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_particle *particle,
+                        const double n[3]);
 
 /* ---- contacts that follow each other closely ------------------------------------------------- */
 /* A wall is made of faces that have a length. A particle that has met one meets the next after its

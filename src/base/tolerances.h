@@ -4,6 +4,8 @@
 #ifndef ASP_BASE_TOLERANCES_H
 #define ASP_BASE_TOLERANCES_H
 
+#include <math.h>
+
 /* Of numbers that went through a text or a sum of many: files have 6 to 9 digits. */
 #define ASPI_ROUNDING_TEXT 1e-9
 
@@ -12,5 +14,10 @@
 
 /* Of heights of a map, which are in single precision: they have 7 digits. */
 #define ASPI_ROUNDING_SINGLE 1e-6
+
+/* a/b, where b is a part of `whole`: NAN where it is no more than rounding of it. */
+static inline double aspi_quotient(double a, double b, double whole) {
+  return fabs(b) > ASPI_ROUNDING_DOUBLE * whole ? a / b : NAN;
+}
 
 #endif

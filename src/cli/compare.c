@@ -109,7 +109,7 @@ static void take_view(aspi_comparison *c) {
   size_t missing = 0;
   for (size_t i = 0; i < c->impacts.count; i++) {
     aspi_scatter_row *p = &c->impacts.rows[i];
-    missing += isfinite(p->cor[COR_T]) && isnan(p->cor_t_space);
+    missing += isfinite(p->cor[COR_N] + p->cor[COR_T]) && isnan(p->cor_t_space);
     p->cor[COR_T] = p->cor_t_space;
   }
   if (missing > 0)

@@ -112,22 +112,18 @@ static void print_header(FILE *out, bool as_ledger) {
 
 /* Sums over the impacts of one angle, size and speed. */
 typedef struct sums {
-  size_t impacts;
+  size_t impacts, deposits;
   aspi_running cor_n, cor_t, eroded;
 } sums;
 
 static void add_to_sums(sums *to, const row *r) {
   to->impacts++;
   aspi_running_add(&to->eroded, r->of.impact.eroded);
-  if (r->of.impact.outcome == ASP_DEPOSIT)
-    return;
-  aspi_running_add(&to->cor_n, r->of.cor.cor_n);
+  to->deposits += r->of.impact.outcome == ASP_DEPOSIT;
+  if (isfinite(r->of.cor.cor_n))
+    aspi_running_add(&to->cor_n, r->of.cor.cor_n);
   if (isfinite(r->of.cor.cor_t))
     aspi_running_add(&to->cor_t, r->of.cor.cor_t);
-}
-
-static double capture_share(const sums *of) {
-  return 1 - of->cor_n.n / (double)of->impacts;
 }
 
 /* Mean and sd, empty where there are none. */
@@ -150,11 +146,10 @@ static void print_summary(FILE *out, const scene *s, const cli_list *angles, con
           erodes ? ",eroded_mean,eroded_sd" : "");
   for (size_t i = 0; i < angles->count * groups; i++) {
     const sums *one = &of[i];
-    if (one->impacts == 0)
-      continue;
-    cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%.0f", value_of_group(&s->sizes, i % groups, 1e6),
+    cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%zu", value_of_group(&s->sizes, i % groups, 1e6),
             value_of_group(&s->speeds, i % groups / sizes, 1), angles->values[i / groups],
-            one->impacts, capture_share(one), one->cor_n.n);
+            one->impacts, (double)one->deposits / (double)one->impacts,
+            one->impacts - one->deposits);
     print_moments(out, &one->cor_n);
     print_moments(out, &one->cor_t);
     if (erodes)
@@ -211,7 +206,7 @@ static cli_list ratios(double from, double to) {
                    .least = from,
                    .most = to};
   for (int i = 0; i < CAPTURE_POINTS; i++)
-    list.values[i] = from * pow(to / from, i / (CAPTURE_POINTS - 1.));
+    list.values[i] = fmin(from * pow(to / from, i / (CAPTURE_POINTS - 1.)), to);
   return list;
 }
 
@@ -254,9 +249,8 @@ static void run(cli_call *call) {
   cli_list angles = cli_impact_angles(call);
   if (capture && angles.count != 1)
     cli_bad_usage("--angles is '%s'; --capture takes one angle", cli_value(call, "angles"));
-  size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000);
+  size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000) * count_groups(&s);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
-  samples *= capture ? count_groups(&s) : 1;
   FILE *out = cli_table_open(call, s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)
@@ -273,7 +267,7 @@ static const cli_option options[] = {
     {"dp", "SIZES", "diameters: a list, or lognormal:min:max:median [10um]", NULL},
     {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median [100]", NULL},
     {"angles", "DEGREES", "impact angles: a list [1:90:1]", NULL},
-    {"samples", "N", "impacts per angle", "100"},
+    {"samples", "N", "impacts per angle, size and speed", "100"},
     {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
      NULL},
     {"capture", NULL, "the share that sticks, over diameter and speed at one angle", NULL},
@@ -286,13 +280,14 @@ static const char detail[] =
     "wall z = 0. cor_n, cor_t, cor_v_plane (v2/v1) and cor_alpha_plane (alpha2/alpha1)\n"
     "refer to the velocity in the plane of incidence, as a camera from the side sees it\n"
     "(alpha2 from 0 to 180 degrees); cor_v_space and cor_alpha_space refer to the velocity\n"
-    "in space (alpha2 from 0 to 90). At normal impact cor_t is undefined and empty.\n"
+    "in space (alpha2 from 0 to 90). At normal impact cor_t is undefined and empty,\n"
+    "and so are cor_n and cor_alpha of a particle that slides.\n"
     "--summary has one row per angle, size and speed instead: the number of impacts, the\n"
     "share that sticks, and mean and sd of the coefficients of the n that rebound; with\n"
     "`erosion` also mean and sd of the mass worn off the wall per mass of particles, over\n"
-    "all impacts. --capture has these rows for --samples impacts of each diameter (0.5 to\n"
-    "200 um) and speed (0.1 to 1000 m/s) at one angle (90 degrees); its picture shows the\n"
-    "share that sticks. --columns ledger writes the columns of a wall's ledger in `units si`\n"
+    "all impacts. --capture has these rows for diameters from 0.5 to 200 um and speeds from\n"
+    "0.1 to 1000 m/s at one angle (90 degrees); its picture shows the share that sticks.\n"
+    "--columns ledger writes the columns of a wall's ledger in `units si`\n"
     "(outcome 0 or 1). lognormal:min:max:median is a log-normal distribution cut at min and\n"
     "max; its logarithm has the standard deviation ln(max/min)/5.\n";
 

@@ -310,10 +310,9 @@ static form find_form(cli_scatter *t) {
 
 /* The coefficients of the components of both velocities. */
 static void take_velocities(double n1, double t1, double n2, double t2, aspi_scatter_row *row) {
-  row->cor[COR_N] = n1 > 0 ? n2 / n1 : NAN;
-  row->cor[COR_T] =
-      fabs(t1) > ASPI_ROUNDING_DOUBLE * n1 && row->degrees < 90 * (1 - ASPI_ROUNDING_TEXT) ? t2 / t1
-                                                                                           : NAN;
+  bool normal = !(row->degrees < 90 * (1 - ASPI_ROUNDING_TEXT));
+  row->cor[COR_N] = aspi_quotient(n2, n1, hypot(n1, t1));
+  row->cor[COR_T] = normal ? NAN : aspi_quotient(t2, t1, hypot(n1, t1));
 }
 
 static aspi_scatter_row row_of(const form *f, const double v[]) {

@@ -16,7 +16,8 @@
 #define ALONG 1e-6          /* degrees; particles that rest at the wall hit it below this angle */
 #define STAYS_MOST 0.01     /* of the impacts */
 #define EFFECTIVE_LEAST 100 /* particles */
-#define CLASS 10            /* degrees, of impact angles */
+#define STEEPER 1.2 /* slopes of the wall of --to: errors of errors are large from here on */
+#define CLASS 10    /* degrees, of impact angles */
 
 enum { PARAMETERS = ASPI_OTHER - ASPI_DERIVATIVE, WALLS_MOST = 2 * PARAMETERS + 1 };
 
@@ -30,7 +31,7 @@ typedef struct study {
   bool has_other, has_erosion, has_mass; /* mass of a single particle, not of a parcel */
   aspi_drawn *drawn;
   size_t n, grains, staying;
-  double effective; /* sample size, for the wall of --to */
+  double effective, steeper; /* for the wall of --to: sample size, ratio of slopes */
 } study;
 
 /* ---- walls ---- */
@@ -50,6 +51,8 @@ static void add_other(study *s, const char *surface) {
   const asp_description *words = asp_description_parse(text, NULL, &error);
   if (!words)
     cli_bad_usage("--to is '%s', behind which '%s' stays: %s", surface, rest, error.text);
+  if (asp_description_needs_sizes(words))
+    cli_bad_usage("--to is '%s'; it must be given by rq and lambda_c, or by sigma", surface);
   add_wall(s, words);
   s->has_other = true;
 }
@@ -57,6 +60,11 @@ static void add_other(study *s, const char *surface) {
 static void make_walls(study *s, const char *to) {
   static const char *const names[] = {"rq", "lambda_c", "sigma"};
   asp_description *words = s->own.words;
+  const char *spread = asp_description_word(words, "spread");
+  if (strcmp(spread, "traced") == 0)
+    cli_bad_usage("spread is '%s', whose draws have no density, and so no likelihood ratios; it "
+                  "must be a model that has one, as visible",
+                  spread);
   cli_description_make(&s->own, 0, 0);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
     double value = asp_description_get(words, names[i]);
@@ -97,7 +105,7 @@ static void take_heading(study *s, const char *name, const char *heading) {
 }
 
 /* Repeats the impact of a row and takes the ratios of its draws. */
-static void weigh(const study *s, size_t line, const double of[], aspi_drawn *d) {
+static void weigh(study *s, size_t line, const double of[], aspi_drawn *d) {
   asp_error error;
   asp_impact is;
   double lay[3], weights[WALLS_MOST], *own = d->own;
@@ -122,8 +130,11 @@ static void weigh(const study *s, size_t line, const double of[], aspi_drawn *d)
         is.v2[2], is.hits);
   for (size_t i = 0; i < s->n_names; i++)
     own[ASPI_DERIVATIVE + i] = log(weights[2 * i] / weights[2 * i + 1]) / (2 * STEP);
-  if (s->has_other)
-    own[ASPI_OTHER] = weights[s->n_walls - 1];
+  if (!s->has_other)
+    return;
+  own[ASPI_OTHER] = weights[s->n_walls - 1];
+  s->steeper = fmax(
+      s->steeper, asp_wall_steeper(s->own.wall, s->walls[s->n_walls - 1], &particle, of + NORMAL));
 }
 
 static void add_row(study *s, size_t line, const double of[]) {
@@ -174,6 +185,10 @@ static void read_ledger(study *s, const char *name) {
     cli_fail("%s: the effective sample size of its %zu particles is %.1f%s; it must be at least %d",
              s->path, s->grains, s->effective, s->has_other ? " for the wall of --to" : "",
              EFFECTIVE_LEAST);
+  if (s->steeper > STEEPER)
+    cli_warn("the wall of --to is %.3g times as steep as that of the run; from %g times on, rare "
+             "paths count much, and the standard errors are too small",
+             s->steeper, STEEPER);
 }
 
 /* ---- results ---- */
@@ -269,7 +284,8 @@ static const char detail[] =
     "angle. d_rq is the derivative by ln rq: 10 % more rq adds 0.1 d_rq. The row 'particles' has\n"
     "their number, and in column 'to' the effective sample size, which must be at least 100.\n"
     "Likelihood ratios reweight the paths of the run; they do not add paths that no particle "
-    "took.\n";
+    "took:\n"
+    "the wall of --to may be up to 1.4 times as steep, and there is a warning from 1.2 times on.\n";
 
 const cli_command cli_sensitivity = {
     .name = "sensitivity",

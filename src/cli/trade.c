@@ -8,6 +8,7 @@
 #include "description/description.h"
 #include "cli/cli.h"
 #include "spread/models.h"
+#include "surface/size_law.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -160,9 +161,11 @@ static aspi_judge_case case_of(const cli_call *call, const cli_description *wall
   cli_must(!aspi_heights_read(wall->words, &profile, &doubt, &error), &error);
   if (profile && cli_is_set(call, "ensemble"))
     cli_bad_usage("--ensemble has no effect on a measured profile, which is the reference itself");
+  double r_q, lambda_c;
+  aspi_surface_gaussian(surface, d_p, &r_q, &lambda_c);
   return (aspi_judge_case){
-      .r_q = asp_surface_r_q(surface),
-      .lambda_c = asp_surface_lambda_c(surface),
+      .r_q = r_q,
+      .lambda_c = lambda_c,
       .d_p = d_p,
       .groups = cli_whole(cli_get(call, "ensemble"), ASPI_JUDGES_LEAST, ASPI_JUDGES_MOST),
       .rays = cli_whole(cli_get(call, "rays"), 1000, 1000000000),

@@ -56,7 +56,8 @@ static const char *given(const cli_option *option) {
 
 void cli_check_unit(const char *name, const char *text, const char *kind) {
   bool stress = strcmp(kind, "stress") == 0;
-  const char *unit = stress ? "Pa" : "m", *usual = stress ? "MPa" : "um";
+  const char *unit = stress ? "Pa" : "m";
+  const char *usual = strcmp(name, "oka") == 0 ? "GPa" : stress ? "MPa" : "um"; /* a hardness */
   char *end;
   double value = aspi_number(text, &end);
   bool odd = stress ? value > 0 && value < STRESS_WITHOUT_UNIT : value > LENGTH_WITHOUT_UNIT;
@@ -166,7 +167,7 @@ cli_list cli_values(const cli_option *option, const char *kind, double least, do
       fail_form(option, "a range has from <= to, a step > 0, and at most 1e6 steps");
     for (size_t i = 0; i <= (size_t)steps; i++) {
       list.values = cli_grow(list.values, list.count, sizeof *list.values);
-      list.values[list.count++] = v[0] + (double)i * v[2];
+      list.values[list.count++] = parts == 1 ? v[0] : fmin(v[0] + (double)i * v[2], v[1]);
     }
   }
   gsl_stats_minmax(&list.least, &list.most, list.values, 1, list.count);

@@ -132,9 +132,12 @@ std::string Model::describe_surface() const {
   asp_heights_numbers numbers;
   if (word("surface") == "map" && !asp_heights_describe(heights_.get(), &numbers, NULL))
     line += text("S_sk %.3g, S_ku %.3g, ", numbers.s_sk, numbers.s_ku);
-  line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
-               asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s),
-               atan(asp_surface_slope_rms(s)) * DEGREES);
+  const double sigma = atan(asp_surface_slope_rms(s)) * DEGREES;
+  if (word("surface") == "sigma")
+    line += text("sigma %.4g deg for all sizes", sigma);
+  else
+    line += text("R_q %.4g, lambda_c %.4g, Phi_R %.4g, sigma %.4g deg before the size filter",
+                 asp_surface_r_q(s), asp_surface_lambda_c(s), asp_surface_phi_r(s), sigma);
   if (lay_.kind != ASP_LAY_NONE)
     line += text(", lambda_c along the lay %.4g", asp_surface_lambda_along(s));
   line += ", spread " + model + " " + word("tilt") + ", collisions " + word("collisions");

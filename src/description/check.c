@@ -9,9 +9,6 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Correlation length of a wall by its sigma alone, in meters: larger than all particles. */
-#define SIGMA_LAMBDA 1e6
-
 bool asp_description_needs_sizes(const asp_description *d) {
   return d->kind == ASPI_PROFILE || (d->kind != ASPI_SMOOTH && aspi_description_spread(d)->prepare);
 }
@@ -61,7 +58,8 @@ static asp_code check_spread(const asp_description *d, asp_error *error) {
 
 static asp_code check_erosion(const asp_description *d, asp_error *error) {
   const aspi_erosion *erosion = &d->choice.erosion;
-  if (!erosion->law || erosion->density > 0 || (d->n_materials > 0 && d->choice.law->needs_pair))
+  if (!erosion->law || !erosion->law->is_volume || erosion->density > 0 ||
+      (d->n_materials > 0 && d->choice.law->needs_pair))
     return ASP_OK;
   return aspi_fail(error, ASP_EARG,
                    "erosion needs the density of the wall: by 'materials', or 'density RHO' in its "
@@ -107,18 +105,10 @@ double asp_description_softening(const asp_description *d) {
 
 /* ---- the surface of numbers ---- */
 
-static asp_surface *make_from_sigma(const asp_description *d, asp_error *error) {
-  double meter = d->units.meter > 0 ? d->units.meter : 1, lambda = SIGMA_LAMBDA * meter;
-  double slope = tan(aspi_radians(d->sigma));
-  asp_surface *made = asp_surface_create(slope / sqrt(2) * lambda, lambda, error);
-  if (made)
-    aspi_surface_set_feature(made, d->lambda_c > 0 ? d->lambda_c : 0);
-  return made;
-}
-
 asp_surface *aspi_description_surface(const asp_description *d, asp_error *error) {
   asp_error wrong = {ASP_OK, ""};
-  asp_surface *made = d->kind == ASPI_SIGMA ? make_from_sigma(d, &wrong)
+  asp_surface *made = d->kind == ASPI_SIGMA ? aspi_surface_create_slope(tan(aspi_radians(d->sigma)),
+                                                                        d->lambda_c, &wrong)
                       : d->lay != ASP_LAY_NONE
                           ? asp_surface_create_lay(d->r_q, d->lambda_c, d->lambda_along, &wrong)
                           : asp_surface_create(d->r_q, d->lambda_c, &wrong);

@@ -98,7 +98,7 @@ double asp_description_get(const asp_description *d, const char *name) {
   double value = i >= 0 ? d->choice.parameters[i] : NAN;
   if (k)
     memcpy(&value, (const char *)d + k->number, sizeof value);
-  return value;
+  return k && !(value > 0) && !aspi_is_given(d, name) ? NAN : value;
 }
 
 /* Lists the numbers of the law, and of the keywords that are given or begin a clause. */

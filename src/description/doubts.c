@@ -19,8 +19,9 @@
 /* A particle's density may be this share off that of its material. */
 #define DENSITY_OFF 0.01
 
-/* Pa: a hardness under this is one in GPa or MPa. */
-#define HARDNESS_LEAST 1e6
+/* Pa: a hardness under this is one in GPa (lead has it), and a flow stress one in GPa or MPa. */
+#define HARDNESS_LEAST 5e7
+#define FLOW_STRESS_LEAST 1e6
 
 /* Heights over this many diameters, or in meters where no diameter is known, are probably in
  * another unit. */
@@ -138,9 +139,11 @@ static void is_high(const asp_question *q, char *text, size_t size) {
 static void is_soft(const asp_question *q, char *text, size_t size) {
   const aspi_erosion *erosion = &q->words->choice.erosion;
   const asp_parameter *p = erosion->law ? &erosion->law->parameters[0] : NULL;
-  if (p && strcmp(p->unit, "stress") == 0 && erosion->si[0] < HARDNESS_LEAST)
-    snprintf(text, size, "%s is %g, which is %g Pa; is it one in GPa or MPa?", p->name,
-             erosion->given[0], erosion->si[0]);
+  bool hardness = p && strcmp(p->name, "hardness") == 0;
+  if (p && strcmp(p->unit, "stress") == 0 &&
+      erosion->si[0] < (hardness ? HARDNESS_LEAST : FLOW_STRESS_LEAST))
+    snprintf(text, size, "%s is %g, which is %g Pa; is it one in GPa%s?", p->name,
+             erosion->given[0], erosion->si[0], hardness ? "" : " or MPa");
 }
 
 static void has_no_sampling(const asp_question *q, char *text, size_t size) {

@@ -30,8 +30,13 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
     throw Error(wrong.text);
   if (asp_description_is_given(words_.get(), "erosion"))
     worn_density = asp_description_get(words_.get(), "density");
-  if (asp_description_is_given(words_.get(), "erosion") && !(worn_density > 0))
-    worn_density = asp_material_get(asp_description_material(words_.get(), 1), "density");
+  const asp_material *target = asp_description_material(words_.get(), 1);
+  if (asp_description_is_given(words_.get(), "erosion") && !(worn_density > 0)) {
+    if (!target)
+      throw Error("the depth of erosion needs the density of the wall: by 'materials', or 'density "
+                  "RHO' behind 'erosion'");
+    worn_density = asp_material_get(target, "density");
+  }
 }
 
 /* Words that do not fit the case. In two dimensions OpenFOAM takes away the velocity out of the

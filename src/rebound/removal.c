@@ -3,11 +3,13 @@
  * mean F and the rms f, and rocks the deposit n times in a time:
  *
  *   F = 10.45 rho nu^2 (1 + 300 r+^-0.31) r+^2.31,  f = 0.2 F,  n = 0.00658 u_tau^2/nu
- *   p = n exp(-x^2)/(erfc(-x)/2) <= n,  x = (F_a - F)/(sqrt(2) f),  F_a = (3/2) pi gamma r f'
+ *   p = n exp(-x^2)/(erfc(-x)/2) <= n,  x = (F_a - F)/(sqrt(2) f),  F_a = 3 pi gamma r f'
  *
- * f' is the share of a smooth contact's adhesion that roughness leaves: log-normal, where a script
- * does not say otherwise with Biasi's median 0.016 - 0.0023 r^0.545 and geometric standard
- * deviation 1.8 + 0.136 r^1.4, r in um (a fit to measured resuspension, original not seen).
+ * gamma is half of the work of adhesion, as the rebound laws have it: F_a is f' times JKR's
+ * pull-off force. f' is the share of a smooth contact's adhesion that roughness leaves: log-normal,
+ * where a script does not say otherwise with Biasi's median 0.016 - 0.0023 r^0.545 and geometric
+ * standard deviation 1.8 + 0.136 r^1.4, r in um (a fit to measured resuspension, original not
+ * seen).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/removal.h"
@@ -22,7 +24,7 @@ double aspi_flow_adhesion(const aspi_flow *flow, double d_p) {
 
 asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
                               const asp_key *key) {
-  double u_tau = particle->u_tau > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
+  double u_tau = fabs(particle->u_tau) > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
   aspi_stream stream = aspi_stream_begin(key);
   asp_removal out = {0, -log(aspi_stream_uniform(&stream))};
   if (!(flow->density > 0) || !(u_tau > 0) || !particle->pair)
@@ -31,7 +33,7 @@ asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particl
   double spread = flow->spread > 0 ? flow->spread : 1.8 + 0.136 * pow(micron, 1.4);
   double share =
       aspi_flow_adhesion(flow, particle->d_p) * exp(aspi_stream_normal(&stream) * log(spread));
-  double adhesion = 1.5 * ASP_PI * particle->pair->surface_energy * r * share;
+  double adhesion = 3 * ASP_PI * particle->pair->surface_energy * r * share;
   double mean = 10.45 * flow->density * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
   double x = (adhesion - mean) / (sqrt(2) * 0.2 * mean), below = 0.5 * erfc(-x);
   double most = 0.00658 * u_tau * u_tau / nu;

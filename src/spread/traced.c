@@ -12,6 +12,7 @@
 #include "spread/flight.h"
 #include "spread/models.h"
 #include "surface/rolling.h"
+#include "surface/size_law.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -77,10 +78,10 @@ static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_heights
 static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error *error) {
   asp_heights *made = NULL;
   if (!of->heights) {
-    double lambda_c = asp_surface_lambda_c(of->surface);
-    made =
-        aspi_profile_generate_scaled(asp_surface_r_q(of->surface), lambda_c, lambda_c / PER_LAMBDA,
-                                     POINTS, SEED, number ? -1 : 1, error);
+    double r_q, lambda_c;
+    aspi_surface_gaussian(of->surface, t->sizes.most, &r_q, &lambda_c);
+    made = aspi_profile_generate_scaled(r_q, lambda_c, lambda_c / PER_LAMBDA, POINTS, SEED,
+                                        number ? -1 : 1, error);
     if (!made)
       return error->code;
   }

@@ -107,6 +107,7 @@ asp_heights *aspi_profile_generate_scaled(double r_q, double lambda_c, double sp
 
 asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
                                 double step_y, bool periodic, asp_error *error) {
+  const double steps[2] = {step_x, rows > 1 ? step_y : step_x};
   if (aspi_check_length(error, "step_x", step_x) ||
       (rows > 1 && aspi_check_length(error, "step_y", step_y)))
     return NULL;
@@ -127,8 +128,7 @@ asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, do
   double *copy = aspi_allocate(columns * rows);
   if (copy)
     memcpy(copy, z, columns * rows * sizeof *copy);
-  return aspi_heights_adopt(copy, columns, rows, (const double[2]){step_x, step_y}, periodic,
-                            error);
+  return aspi_heights_adopt(copy, columns, rows, steps, periodic, error);
 }
 
 void asp_heights_free(asp_heights *heights) {

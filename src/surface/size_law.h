@@ -28,8 +28,16 @@ double aspi_closed_form(double kappa);
 /* The slope that a sphere meets over that of a disc, on a wall without a lay. */
 double aspi_sphere_over_disc(double kappa);
 
-/* Sets the correlation length that gives the face length. 0: faces as long as the particle. */
-void aspi_surface_set_feature(asp_surface *surface, double lambda_c);
+/* A Gaussian wall by its slope alone, which is that for all diameters; lambda_c, which gives the
+ * length of its faces, may be NAN. */
+asp_surface *aspi_surface_create_slope(double slope, double lambda_c, asp_error *error);
+
+/* lambda_along/lambda_c. */
+double aspi_surface_stretch(const asp_surface *surface);
+
+/* The two numbers of a Gaussian wall that particles of up to d_p meet as they do this one: of a
+ * wall by its slope alone in proportion to d_p. */
+void aspi_surface_gaussian(const asp_surface *surface, double d_p, double *r_q, double *lambda_c);
 
 /* A copy; NULL when out of memory. */
 asp_surface *aspi_surface_copy(const asp_surface *surface);

@@ -4,6 +4,7 @@
  *   project; no correction;
  * - a Gaussian wall beyond: corrected by the two-parameter table of size_table.inc;
  * - a measured profile: no closed form, its own slopes at the diameters of its bins.
+ * A wall by its slope alone has that slope for all diameters, and no height.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -31,13 +32,17 @@
 /* Beyond this phi_r the closed form gives way to the table. */
 #define PHI_R_CLOSED 0.25
 
+/* A Gaussian wall of this lambda_c over d_p is met by points. */
+#define POINTS 1e6
+
 struct asp_surface {
-  double r_q;
-  double lambda_c;
+  double r_q;          /* this and the next two NAN where they are not known */
+  double lambda_c;     /* that of its faces, too */
   double lambda_along; /* along the lay; lambda_c where there is none */
-  double feature;      /* the lambda_c of its faces; 0: as large as the particle */
-  double slope;        /* unfiltered rms slope */
-  double curvature;    /* kappa per diameter */
+  double stretch;      /* lambda_along/lambda_c */
+  double phi_r;
+  double slope;     /* unfiltered rms slope */
+  double curvature; /* kappa per diameter */
   double d_p_most;
   bool closed_form;
   double uncertainty; /* of one by its profile */
@@ -63,6 +68,7 @@ static asp_surface *allocate(int nodes, asp_error *error) {
     return NULL;
   }
   surface->nodes = nodes;
+  surface->stretch = 1;
   surface->tangent = surface->value + nodes;
   return surface;
 }
@@ -123,13 +129,27 @@ asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
   if (!surface)
     return NULL;
   surface->r_q = r_q;
-  surface->feature = surface->lambda_c = surface->lambda_along = lambda_c;
+  surface->lambda_c = surface->lambda_along = lambda_c;
+  surface->phi_r = phi_r;
   surface->slope = sqrt(2) * phi_r;
   surface->curvature = sqrt(3) * phi_r / lambda_c;
   surface->closed_form = true;
   surface->d_p_most = KAPPA_MOST / surface->curvature;
   if (table)
     set_by_table(surface, phi_r);
+  return surface;
+}
+
+asp_surface *aspi_surface_create_slope(double slope, double lambda_c, asp_error *error) {
+  asp_surface *surface = allocate(0, error);
+  if (!surface)
+    return NULL;
+  surface->r_q = NAN;
+  surface->lambda_c = surface->lambda_along = lambda_c;
+  surface->phi_r = slope / sqrt(2);
+  surface->slope = slope;
+  surface->closed_form = true;
+  surface->d_p_most = INFINITY;
   return surface;
 }
 
@@ -145,6 +165,7 @@ asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_a
   asp_surface *surface = asp_surface_create(r_q, lambda_c, error);
   if (surface) {
     surface->lambda_along = lambda_along;
+    surface->stretch = lambda_along / lambda_c;
     surface->d_p_most *= fmin(1, lambda_along * lambda_along / (lambda_c * lambda_c));
   }
   return surface;
@@ -192,7 +213,8 @@ asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min
   if (!surface)
     return NULL;
   surface->r_q = d.s_q;
-  surface->feature = surface->lambda_c = surface->lambda_along = d.lambda_1;
+  surface->lambda_c = surface->lambda_along = d.lambda_1;
+  surface->phi_r = d.s_q / d.lambda_1;
   surface->slope = d.s_dq;
   surface->curvature = sqrt(3) * d.s_q / (d.lambda_1 * d.lambda_1);
   surface->bins = bins;
@@ -265,15 +287,21 @@ double asp_surface_lambda_along(const asp_surface *surface) {
 /* Half of the mean distance of a profile's upward crossings of its mean line: 2 pi r_q/s for
  * Gaussian heights (Rice 1944), with s = sqrt(2) r_q/lambda_c. */
 double asp_surface_face_length(const asp_surface *surface, double d_p) {
-  return surface->feature > 0 ? ASP_PI / sqrt(2) * surface->feature : d_p;
+  return surface->lambda_c > 0 ? ASP_PI / sqrt(2) * surface->lambda_c : d_p;
 }
 
-void aspi_surface_set_feature(asp_surface *surface, double lambda_c) {
-  surface->feature = lambda_c;
+double aspi_surface_stretch(const asp_surface *surface) {
+  return surface->stretch;
+}
+
+void aspi_surface_gaussian(const asp_surface *surface, double d_p, double *r_q, double *lambda_c) {
+  const bool known = surface->r_q > 0;
+  *lambda_c = known ? surface->lambda_c : POINTS * d_p;
+  *r_q = known ? surface->r_q : surface->phi_r * *lambda_c;
 }
 
 double asp_surface_phi_r(const asp_surface *surface) {
-  return surface->r_q / surface->lambda_c;
+  return surface->phi_r;
 }
 
 double asp_surface_slope_rms(const asp_surface *surface) {
@@ -322,7 +350,7 @@ double aspi_sphere_over_disc(double kappa) {
 }
 
 void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double slope[2]) {
-  double kappa = surface->curvature * d_p, short_way = surface->lambda_c / surface->lambda_along;
+  double kappa = surface->curvature * d_p, short_way = 1 / surface->stretch;
   double other = kappa * short_way * short_way;
   if (fabs(short_way - 1) > 0) {
     bool filters = fmax(kappa, other) >= KAPPA_NO_FILTER;

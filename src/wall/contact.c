@@ -4,18 +4,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "wall/impact.h"
+#include "wall/roughness.h"
 
 #include <string.h>
 
-/* Limit of the ratios, for impact angles near zero. */
-#define RATIO_MOST 1e300
-
-/* Without a pair that the law needs the particle keeps its velocity. */
-static asp_code fail_pair(const asp_particle *particle, const double v1[3], asp_impact *impact) {
+/* The particle keeps its velocity: without a pair that the law needs, and where that is no number.
+ */
+static void pass(const asp_particle *particle, const double v1[3], asp_impact *impact) {
   *impact = (asp_impact){.outcome = ASP_REBOUND};
   store(load(v1), impact->v2);
   store(load(particle->omega), impact->omega);
-  return ASP_EARG;
 }
 
 /* Draws the lever of a sphere whose center of mass is off by N(0, sd) per axis, given that its
@@ -72,10 +70,16 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
                           const aspi_ratios *ratios, asp_impact *impact) {
   asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
-    if (!wall->pair)
-      return fail_pair(particle, v1, impact);
+    if (!wall->pair) {
+      pass(particle, v1, impact);
+      return ASP_EARG;
+    }
     own = aspi_with_pair(wall, particle);
     particle = &own;
+  }
+  if (!isfinite(v1[0] + v1[1] + v1[2])) {
+    pass(particle, v1, impact);
+    return ASP_OK;
   }
   aspi_stream stream = aspi_stream_begin(key);
   if (wall->lever > 0 && !particle->body)
@@ -118,6 +122,37 @@ static bool has_weights(const asp_wall *wall) {
   return wall->rough && wall->multiple && !wall->follow && model->density && !model->escape;
 }
 
+/* Beyond sqrt(2) the variance of the weights is infinite: densities have Gaussian tails. */
+#define STEEPER_MOST 1.4
+
+double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_particle *particle,
+                        const double n[3]) {
+  static const aspi_heading axes[] = {{1, 0}, {0, 1}};
+  aspi_roughness own = aspi_roughness_of(wall, particle, load(n)),
+                 its = aspi_roughness_of(other, particle, load(n));
+  double most = 0;
+  for (int i = 0; i < 2; i++)
+    most = fmax(most, aspi_roughness_along(&its, axes[i]).slope /
+                          aspi_roughness_along(&own, axes[i]).slope);
+  return most;
+}
+
+/* ASP_ERANGE where an impact on another wall cannot be told from those on this one. */
+static asp_code check_steeper(const asp_wall *wall, const asp_particle *particle, const double n[3],
+                              const aspi_ratios *ratios, asp_error *error) {
+  for (size_t k = 0; k < ratios->n; k++) {
+    double steeper = asp_wall_steeper(wall, ratios->walls[k], particle, n);
+    if (!(steeper <= STEEPER_MOST))
+      return aspi_fail(
+          error, ASP_ERANGE,
+          "for a diameter of %g the other wall is %.3g times as steep (rms slope) as "
+          "that of the impacts; it must be at most %g times, as beyond the variance of "
+          "the weights is infinite",
+          particle->d_p, steeper, STEEPER_MOST);
+  }
+  return ASP_OK;
+}
+
 asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,
@@ -135,6 +170,8 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
   for (size_t i = 0; i < n && !code; i++) {
     aspi_ratios ratios = {n_others, others, weights + i * n_others};
     memset(ratios.log, 0, n_others * sizeof *ratios.log);
+    if (check_steeper(wall, &particles[i], normals + 3 * i, &ratios, error))
+      return ASP_ERANGE;
     code = impact_on(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &ratios,
                      &impacts[i]);
   }
@@ -143,37 +180,28 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
   return fail_law(wall, code, error);
 }
 
-/* a/b, limited to RATIO_MOST. */
-static double ratio(double a, double b) {
-  if (b > fabs(a) / RATIO_MOST)
-    return a / b;
-  return a > 0 ? RATIO_MOST : 0;
-}
-
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact) {
   vec before = load(v1), after = load(impact->v2);
   frame f = frame_of(before, load(n));
   double n2 = dot(after, f.n), along = dot(after, f.along) * f.per_length;
-  bool directed = has_direction(&f);
   asp_coefficients c = {.v1 = sqrt(dot(before, before)),
                         .alpha1 = atan2(fmax(f.v_n, 0), f.v_t),
-                        .v2 = sqrt(dot(after, after)),
-                        .cor_t = NAN};
+                        .v2 = sqrt(dot(after, after))};
   if (impact->outcome == ASP_DEPOSIT) {
-    c.cor_v = c.cor_alpha = c.cor_n = c.cor_v_space = c.cor_alpha_space = NAN;
+    c.cor_v = c.cor_alpha = c.cor_n = c.cor_t = c.cor_v_space = c.cor_alpha_space = NAN;
     return c;
   }
-  if (!directed)
-    along = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
+  double along_space = sqrt(fmax(0, c.v2 * c.v2 - n2 * n2));
+  if (!has_direction(&f))
+    along = along_space;
   c.alpha2 = atan2(n2, along);
-  c.cor_v = ratio(hypot(n2, along), c.v1);
-  c.cor_alpha = ratio(c.alpha2, c.alpha1);
-  c.cor_v_space = ratio(c.v2, c.v1);
-  c.cor_alpha_space = ratio(atan2(n2, sqrt(fmax(0, c.v2 * c.v2 - n2 * n2))), c.alpha1);
-  c.cor_n = ratio(n2, f.v_n);
-  if (directed)
-    c.cor_t = along / f.v_t;
+  c.cor_v = aspi_quotient(hypot(n2, along), c.v1, c.v1);
+  c.cor_alpha = aspi_quotient(c.alpha2, c.alpha1, 1);
+  c.cor_v_space = aspi_quotient(c.v2, c.v1, c.v1);
+  c.cor_alpha_space = aspi_quotient(atan2(n2, along_space), c.alpha1, 1);
+  c.cor_n = aspi_quotient(n2, f.v_n, c.v1);
+  c.cor_t = aspi_quotient(along, f.v_t, c.v1);
   return c;
 }
 

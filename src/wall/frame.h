@@ -4,12 +4,11 @@
 #ifndef ASP_WALL_FRAME_H
 #define ASP_WALL_FRAME_H
 
+#include "base/tolerances.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
-
-/* Below this share of the speed the tangential velocity has no direction. */
-#define NO_DIRECTION 1e-12
 
 typedef struct vec {
   double x, y, z;
@@ -57,15 +56,16 @@ static inline vec across(vec n) {
   return unit(cross(n, fabs(n.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}));
 }
 
-/* The frame of a velocity at a wall. What is left of the difference along the normal, of a velocity
- * nearly along it, is rounding; it is subtracted once more. */
+/* The frame of a velocity at a wall. A speed along it that is rounding has no direction. What is
+ * left of the difference along the normal, of a velocity nearly along it, is rounding; it is
+ * subtracted once more. */
 static inline frame frame_of(vec v, vec normal) {
   frame f = {.n = unit(normal)};
   f.v_n = -dot(v, f.n);
   f.along = plus(v, f.v_n, f.n);
   f.along = plus(f.along, -dot(f.along, f.n), f.n);
   f.v_t = sqrt(dot(f.along, f.along));
-  if (f.v_t > 0 && f.v_t >= NO_DIRECTION * fabs(f.v_n))
+  if (f.v_t > 0 && f.v_t >= ASPI_ROUNDING_DOUBLE * fabs(f.v_n))
     f.per_length = 1 / f.v_t;
   return f;
 }

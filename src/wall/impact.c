@@ -163,7 +163,7 @@ static double smith(double nu) {
 /* The slope of a flight over the mean wall, in (t, b, n). */
 static double rise_of(vec out) {
   double along = hypot(out.x, out.y);
-  return along <= NO_DIRECTION * fabs(out.z) ? copysign(INFINITY, out.z) : out.z / along;
+  return along <= ASPI_ROUNDING_DOUBLE * fabs(out.z) ? copysign(INFINITY, out.z) : out.z / along;
 }
 
 static double exponential(aspi_stream *stream) {
@@ -195,11 +195,13 @@ static bool walk_escapes(flight *fly, double rise, double slope) {
   return fly->depth < 0;
 }
 
-/* Log density of a face. */
+/* Log density of a face that is hit. A face that turns away from the particle is drawn again, so
+ * the density is divided by the share of the others; most models have none of these. */
 static double log_face(const asp_wall *wall, const incidence *at, const face *on) {
   const asp_spread_model *model =
       at->view.alpha1 < 0 && !wall->spread->upward ? wall->upward : wall->spread;
-  double tilt = log(model->density(&at->view, on->delta));
+  double tilt = log(model->density(&at->view, on->delta)) -
+                log1p(-model->distribution(&at->view, -at->view.alpha1));
   if (!wall->isotropic)
     return tilt;
   double aside = (on->q - at->slopes.beta * tan(on->delta)) / at->slopes.sd;

@@ -15,7 +15,7 @@ aspi_roughness aspi_roughness_of(const asp_wall *wall, const asp_particle *parti
                           .particle = particle,
                           .kappa = asp_surface_kappa(wall->surface, particle->d_p),
                           .across = {0, 0, 0}};
-  double stretch = asp_surface_lambda_along(wall->surface) / asp_surface_lambda_c(wall->surface);
+  double stretch = aspi_surface_stretch(wall->surface);
   rough.shrink = 1 / (stretch * stretch);
   if (wall->isotropic)
     aspi_surface_sphere_slopes(wall->surface, particle->d_p, rough.slope);

@@ -35,7 +35,7 @@ awk -F, 'NR > 2 {
   END { exit bad || over < 100 || negative < 50 || deposits < 10 }' c || die "cor: the scatter is not as it should be"
 "$asperity" cor surface_energy 0 --dp 10um --angles 90 --samples 1 | awk -F, 'NR == 3 { d = $8 - 0.166; exit !(d < 1e-3 && d > -1e-3) }' || die "cor: CoR_N(90) is not v_y/v1"
 # The same impacts as a ledger has them: in SI, outcomes as numbers.
-many=(cor surface rq 5um lambda_c 40um --dp 1um,20um --angles 5,60,90 --samples 40)
+many=(cor surface rq 5um lambda_c 40um --dp 1um,20um --angles 5,60,90 --samples 20)
 "$asperity" "${many[@]}" > own; "$asperity" "${many[@]}" --columns ledger > ledger
 [ "$(header ledger)" = tag,impact,time,mesh,triangle,x,y,z,d_p,v1,alpha1_deg,delta_alpha_deg,tilt_out_deg,hits,v2,alpha2_deg,cor_n,cor_t,outcome ] || die "cor --columns ledger: columns"
 # cor_v in space is the ledger's v2/v1
@@ -112,10 +112,23 @@ rows all | awk -F, '{ n[$3]++; stuck[$3] += $10 == "deposit" } $10 == "rebound" 
   END { for (a in n) { m = s[a] / k[a]; printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", a, n[a], stuck[a] / n[a], k[a], m, sqrt((q[a] - k[a] * m * m) / (k[a] - 1)), t[a] / k[a] } }' | sort -g > wanted
 rows means | cut -d, -f3- | awk -F, '{ printf "%g,%d,%.4f,%d,%.4f,%.4f,%.4f\n", $1, $2, $3, $4, $5, $6, $7 }' | cmp - wanted || die "cor --summary: $(cat means)"
 # A row for each size and speed; the same bytes on any number of cores; numbers as printf has them.
-"$asperity" cor surface sigma 5 --dp 5um,50um --speed 80,100 --angles 40,60 --samples 41 --summary -o means
-"$asperity" cor surface sigma 5 --dp 5um,50um --speed 80,100 --angles 40,60 --samples 41 -o all
+"$asperity" cor surface sigma 5 deposit off --dp 5um,50um --speed 80,100 --angles 40,60 --samples 11 --summary -o means
+"$asperity" cor surface sigma 5 deposit off --dp 5um,50um --speed 80,100 --angles 40,60 --samples 11 -o all
 paste -d, <(rows means | cut -d, -f1-4,7) <(rows all | awk -F, '{ k = $1 "," $2 "," $3; if (!(k in n)) of[++m] = k; n[k]++; s[k] += $8 } END { for (i = 1; i <= m; i++) print of[i] "," n[of[i]] "," s[of[i]] / n[of[i]] }') |
   awk -F, '{ d = $5 - $10; if ($1 "," $2 "," $3 "," $4 != $6 "," $7 "," $8 "," $9 || d * d > 1e-10) bad = 1 } END { exit bad || NR != 8 }' || die "cor --summary of two sizes and speeds: $(cat means)"
+# Along the wall there is no CoR_N, and yet a rebound.
+"$asperity" cor rebound walton 0.9 0.3 0 --angles 1e-12 --samples 3 --summary -o along
+[ "$(rows along | cut -d, -f4-8)" = 3,0,3,, ] || die "cor along the wall: $(cat along)"
+# --samples counts for each of them; the last value of a range is its end.
+"$asperity" cor --dp 1um:200um:1um --angles 45 --samples 1 --summary -o means
+[ "$(rows means | awk -F, '$1 == NR && $4 == 1' | wc -l)" = 200 ] || die "cor --summary of 200 sizes: $(rows means | wc -l) rows"
+for range in 0.9:90:0.9 0.1:0.3:0.1; do
+  step=${range##*:} end=${range#*:} end=${end%:*}
+  "$asperity" spread surface sigma 10 --angles $range --summary --samples 20 -o ranged
+  "$asperity" spread surface sigma 10 --angles $end --summary --samples 20 -o single
+  cmp <(rows ranged | tail -n 1) <(rows single) || die "--angles $range does not end as $end does"
+  column alpha1_deg ranged | awk -v step=$step -v end=$end '($1 / NR / step - 1) ^ 2 > 1e-12 { bad = 1 } END { exit bad || $1 != end }' || die "--angles $range"
+done
 OMP_NUM_THREADS=1 "$asperity" cor surface sigma 5 --samples 1500 -o all; OMP_NUM_THREADS=3 "$asperity" cor surface sigma 5 --samples 1500 | sed 1d | cmp - <(sed 1d all) || die "cor: other rows on other cores"
 angles=$(awk 'BEGIN { srand(3); for (i = 0; i < 3000; i++) printf "%s%s", i ? "," : "", i % 3 ? sprintf("%.12g", 90 * rand() ^ (1 + i % 7)) : sprintf("%d.%06d5", i % 90, i * 331 % 1000000) }')
 "$asperity" cor --angles "$angles" --samples 1 | rows /dev/stdin | cut -d, -f3 | cmp - <(tr , '\n' <<< "$angles" | awk '{ printf "%.6g\n", $1 }') || die "numbers are not those of printf"

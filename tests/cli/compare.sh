@@ -52,11 +52,16 @@ sed 1s/alpha1_deg/alpha1/ velocities > unnamed
 "$asperity" cor $wall seed 11 --angles 10,30,60 --samples 2000 --columns ledger -o model.ledger
 "$asperity" cor $wall seed 12 --angles 10,30,60 --samples 1500 -o truth
 "$asperity" cor $wall seed 12 --angles 10,30,60 --samples 1500 --columns ledger | awk -F, '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_deg,v2"; next } $19 == 0 { print $11 "," $10 "," $16 "," $15 }' > mixture
+# Rows of grains that slide have no cor_n, and change nothing at other angles.
+{ cat model.ledger; rows model.ledger | awk -F, -v OFS=, 'NR <= 200 { $11 = 0; $17 = ""; $19 = 0; print }'; } > sliding
+"$asperity" compare sliding > alone
+[ "$(awk -F, '$2 == "0" { print $1, $7, $8 != "" }' alone | paste -sd' ')" = "cor_n 0 0 cor_t 196 1 deposits 200 1" ] || die "compare: grains that slide: $(cat alone)"
 for view in plane space; do
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,v1,alpha2_" view "_deg,v2_" view; next } $10 == "rebound" { print $3 "," $2 "," $3 * $(view == "plane" ? 7 : 12) "," $2 * $(view == "plane" ? 6 : 11) }' truth > truth.$view
   awk -F, -v view=$view '/^#/ { next } !n++ { print "alpha1_deg,cor_alpha_" view ",cor_v_" view; next } $10 == "rebound" { print $3 "," $(view == "plane" ? 7 : 12) "," $(view == "plane" ? 6 : 11) }' truth > ratio.$view
-  for data in truth.$view ratio.$view; do for of in model model.ledger; do
+  for data in truth.$view ratio.$view; do for of in model model.ledger sliding; do
     "$asperity" compare $of $data > got; fits got || die "compare: the true model, $data by $of"
+    [ $of != sliding ] || cmp <(rows got) <("$asperity" compare model.ledger $data | rows /dev/stdin) || die "compare: grains that slide count at other angles"
   done; done
 done
 refuses 2 "mixture" "neither impacts nor means" "alpha2_plane,v2_plane" -- compare model mixture

@@ -5,12 +5,12 @@
 source "$(dirname "$0")/cli.sh"
 
 # Each law, at two sizes, against what `cor` has of the same impacts per mass of particles.
-for law in "dnv k 3e-9" "oka 1.8GPa particles glass" "finnie 1GPa" "ecrc 120"; do
+for law in "dnv k 3e-9" "oka 1.8GPa particles glass density 7800kg/m3" "finnie 1GPa density 7800kg/m3" "ecrc 120"; do
   for d in 10 40; do
-    of=(surface sigma 5 erosion $law density 7800kg/m3 --dp ${d}um --angles 20,50 --samples 30)
+    of=(surface sigma 5 erosion $law rebound walton 0.9 0.3 0 --dp ${d}um --angles 20,50 --samples 30)
     "$asperity" cor "${of[@]}" --summary -o summary
     "$asperity" cor "${of[@]}" --columns ledger -o ledger
-    "$asperity" erosion ledger erosion $law density 7800kg/m3 --density 2500kg/m3 -o worn
+    "$asperity" erosion ledger erosion $law --density 2500kg/m3 -o worn
     column eroded_mean summary | awk -v worn="$(column eroded_mass_kg worn | tail -n 1)" -v d=${d}e-6 '{ sum += 30 * $1 * 2500 * 3.14159265358979 / 6 * d ^ 3 }
       END { exit !(NR == 2 && sum > 0 && (worn / sum - 1) ^ 2 < 1e-10) }' || die "$law, $d um: $(cat summary worn)"
   done
@@ -46,4 +46,5 @@ refuses 2 "'erosion LAW' is expected" -- erosion ledger materials quartz steel
 refuses 2 "'surface' has no effect" -- erosion ledger surface sigma 5 erosion dnv density 7800 --density 2500
 refuses 2 "--density has no effect" -- erosion many --density 2500
 refuses 2 "LEDGER is expected" -- erosion
+refuses 2 "oka is '1.8' without a unit" "1.8GPa" -- erosion ledger erosion oka 1.8
 refuses 2 "which is read" -- erosion many -o many

@@ -45,8 +45,8 @@ gives $page "$cor" '/^[0-9]/ { printf "to %.2f for 10 µm quartz", $8 }' 's/3e6/
 hot="cor materials quartz hastelloy-x rebound bons temperature 1300 --angles 90 --samples 1"
 gives $page "$hot" '/^[0-9]/ { printf "CoR_N %.3f for 10 µm at 100 m/s", $8 }'
 gives $page "$hot" '/^[0-9]/ { printf "%.3f without `temperature 1300`", $8 }' 's/ temperature 1300//'
-wear="cor surface sigma 5 erosion dnv density 7800kg/m3 face tilted rebound walton 0.9 0.3 0 --angles 2,5,10,20,30,45,60,90 --samples 20000 --summary"
-edit="s/sigma 5/sigma 10/; s/dnv/oka 1.8GPa/"
+wear="cor surface sigma 5 erosion dnv face tilted rebound walton 0.9 0.3 0 --angles 2,5,10,20,30,45,60,90 --samples 20000 --summary"
+edit="s/sigma 5/sigma 10/; s/dnv/oka 1.8GPa density 7800kg\/m3/"
 (cd "$root" && eval "'$asperity' $(sed "$edit; s/tilted/mean/" <<< "$wear")") 2> /dev/null > mean.csv
 gives $page "$wear" 'BEGIN { while ((getline < "'"$work"'/mean.csv") > 0) if (/^[0-9]/) mean[$3] = $11 }
   /^[0-9]/ { printf "%s%.2f", $3 == 2 ? "`oka` 10° | " : " | ", $11 / mean[$3] }' "$edit"

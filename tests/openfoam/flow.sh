@@ -8,7 +8,7 @@ tutorials=/usr/share/doc/openfoam-examples/examples/lagrangian
 
 # A gas at 200 m/s, 1/8 m off walls with a viscosity of 0 and of 0.01 m2/s: u_tau is 0.1 and 4 m/s. What sticks to the
 # floor stays there, and most of what sticks to the roof leaves it, after a restart, too.
-grains='materials quartz hastelloy-x deposit freeze remove gas_density 1.2 gas_viscosity 1.5e-5'
+grains='materials quartz hastelloy-x surface_energy 0.4 deposit freeze remove gas_density 1.2 gas_viscosity 1.5e-5'
 for side in floor roof; do
   box flow "walls { \".*\" \"$grains\"; sides \"rebound constant 1 1\"; }" speed="0.01 0.3 $([ $side = roof ] || echo -)0.7" end=3 write=30
   sed -i 's/laminar/RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }/' flow/constant/turbulenceProperties

@@ -56,7 +56,7 @@ class Walls(unittest.TestCase):
                       f"surface rq 15um lambda_c 120um spread profile deposit off friction 0.5 {PAIR}",
                       "surface sigma 8 rebound walton 0.9 0.3 0 grain lever 0.1", f"surface smooth {PAIR}"):
             rows = ledger(self.folder, words, "--dp", "2um,20um,50um", "--speed", "30,200", "--angles",
-                          "2,20,70,89", "--samples", "300")
+                          "2,20,70,89", "--samples", "50")
             wall = asperity.Wall(words, (2e-6, 50e-6), name="cor")
             self.assertTrue(asperity.heading(rows).endswith("; " + wall.text))
             v1 = asperity.velocities(rows["v1"], np.radians(rows["alpha1_deg"]))
@@ -107,6 +107,8 @@ class Walls(unittest.TestCase):
         np.testing.assert_allclose(cor["alpha2"], np.arctan2(2, 2.1))
         straight = wall.impacts((0, 0, -1), 1e-5)
         self.assertTrue(np.isnan(asperity.coefficients((0, 0, -1), straight)["cor_t"][0]))
+        along = asperity.coefficients((1, 0, -1e-17), straight)
+        self.assertTrue(np.isnan(along["cor_n"][0]) and np.isnan(along["cor_alpha"][0]))
         self.assertEqual(len(wall.impacts(np.zeros((0, 3)), 1e-5)), 0)
 
     def test_numbers_and_words(self):
@@ -244,7 +246,12 @@ class Walls(unittest.TestCase):
                 ({}, "surface smooth " + PAIR, "must be given by rq and lambda_c, or by sigma"),
                 ({}, "surface rq 4um lambda_c 40um spread multicollision plane " + PAIR, "has no weights")):
             self.assertRegex(self.sensitivity({**table, **changed}, *words.split()), text)
-        self.assertRegex(self.sensitivity(table, *own.split(), "--to", "surface rq 30um lambda_c 40um"),
+        for to, text in (("surface rq 5.7um lambda_c 40um", "1.4[0-9]* times as steep.*at most 1.4 times"),
+                         ("surface profile w.csv", "--to is 'surface profile w.csv'.*rq and lambda_c")):
+            self.assertRegex(self.sensitivity(table, *own.split(), "--to", to), text)
+        self.assertRegex(self.sensitivity(table, *f"{own} spread traced".split()), "spread is 'traced'.*as visible")
+        few = {name: np.broadcast_to(values, n)[:130] for name, values in table.items()}
+        self.assertRegex(self.sensitivity(few, *own.split(), "--to", "surface rq 5.5um lambda_c 40um"),
                          "it must be at least 100")
         self.assertRegex(self.sensitivity(table, *own.split(), "--to", "rq 5um"), "--to is 'rq 5um'")
         del table["mass"]

@@ -533,6 +533,27 @@ static void odd_constants_are_doubted(void **state) {
   assert_non_null(strstr(text, "rq is 5"));
 }
 
+/* A number that is not set is none, until it is. */
+static void unset_is_no_number(void **state) {
+  (void)state;
+  static const char *const names[] = {"lever",    "dp_bins",        "density",  "u_tau",
+                                      "adhesion", "gas_viscosity",  "lambda_c", "rq",
+                                      "friction", "adhesion_spread"};
+  asp_description *d = parse("surface sigma 10", &si);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    assert_true(isnan(asp_description_get(d, names[i])));
+  assert_near(asp_description_get(d, "sigma"), 10, 0);
+  assert_near(asp_description_get(d, "seed"), 1, 0);
+  assert_near(asp_description_get(d, "temperature"), 0, 0); /* a default of the law */
+  assert_int_equal(asp_description_set(d, "friction", 0, NULL), ASP_OK);
+  assert_near(asp_description_get(d, "friction"), 0, 0);
+  asp_description_free(d);
+  d = parse("seed 0 grain lever 0.1", &si);
+  assert_near(asp_description_get(d, "seed"), 0, 0);
+  assert_near(asp_description_get(d, "lever"), 0.1, 0);
+  asp_description_free(d);
+}
+
 /* What needs no material: numbers that are probably in another unit. */
 static void odd_numbers_are_doubted(void **state) {
   (void)state;
@@ -540,6 +561,8 @@ static void odd_numbers_are_doubted(void **state) {
       /* the doubt without a diameter, and with one */
       {"surface rq 5 lambda_c 40", "rq is 5, which is 5 m", "rq is 5 m, 5e+05 times the diameter"},
       {"erosion oka 1.8 density 7800", "hardness is 1.8, which is 1.8 Pa", "hardness is 1.8"},
+      {"erosion oka 1.8MPa density 7800",
+       "hardness is 1.8e+06, which is 1.8e+06 Pa; is it one in GPa?", "hardness"},
       {"erosion finnie 200 density 7800", "flow_stress is 200, which is 200 Pa", "flow_stress"},
       {"surface rq 5um rsm 264um", "may be 3.609e-05 m to 5.157e-05 m", "may be 3.609e-05 m"}};
   char text[1500];
@@ -704,6 +727,7 @@ int main(void) {
       cmocka_unit_test(instruments_are_understood),
       cmocka_unit_test(misplaced_words_are_sent_home),
       cmocka_unit_test(words_are_given_once),
+      cmocka_unit_test(unset_is_no_number),
       cmocka_unit_test(odd_numbers_are_doubted),
       cmocka_unit_test(short_room),
       cmocka_unit_test(texts_go_round),

@@ -369,12 +369,53 @@ static void properties(void **state) {
   gsl_rng_free(rng);
 }
 
-/* A particle along the wall that the last bits of a product of vectors send into it. */
-static void no_coefficient_is_infinite(void **state) {
-  const double v1[3] = {1, 0, 0}, n[3] = {0, 0, 1};
-  const asp_impact impact = {.v2 = {1, 0, -4e-18}, .outcome = ASP_REBOUND, .hits = 1};
-  asp_coefficients c = asp_impact_coefficients(v1, n, &impact);
-  assert_true(isfinite(c.cor_n) && isfinite(c.cor_t) && isfinite(c.cor_v) && isfinite(c.cor_alpha));
+/* What would be divided by no more than rounding is not there: along the wall, where the last bits
+ * of a product of vectors may send a particle into it or off it, and along the normal. */
+static void no_coefficient_by_rounding(void **state) {
+  static const double parts[] = {0, 4e-18, -4e-18, 1e-13, 1e-11};
+  const double n[3] = {0, 0, 1};
+  for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+    double part = parts[i], along[3] = {1, 0, -part}, down[3] = {fabs(part), 0, -1};
+    bool there = part > 1e-12;
+    const asp_impact impact = {.v2 = {0.6, 0.3, 0.2}, .outcome = ASP_REBOUND, .hits = 1};
+    asp_coefficients slides = asp_impact_coefficients(along, n, &impact),
+                     falls = asp_impact_coefficients(down, n, &impact);
+    assert_int_equal(isfinite(slides.cor_n), there);
+    assert_int_equal(isfinite(slides.cor_alpha) && isfinite(slides.cor_alpha_space), there);
+    assert_int_equal(isfinite(falls.cor_t), there);
+    assert_near(slides.cor_t, 0.6, 1e-12);
+    assert_near(slides.cor_v_space, 0.7, 1e-12);
+    assert_near(falls.cor_n, 0.2, 1e-12);
+    assert_near(falls.cor_v_space, 0.7, 1e-12);
+    if (there)
+      assert_near(slides.cor_n / (0.2 / part), 1, 1e-12);
+  }
+  const asp_impact none = {.v2 = {0, 0, 0}};
+  asp_coefficients still = asp_impact_coefficients((const double[3]){0, 0, 0}, n, &none);
+  assert_true(isnan(still.cor_v) && isnan(still.cor_v_space) && isnan(still.cor_n));
+}
+
+/* A velocity that is no number stays as it is, and has no coefficients. */
+static void no_number(void **state) {
+  static const double bad[][3] = {
+      {NAN, 0, -1}, {1, 0, NAN}, {1, NAN, -1}, {INFINITY, 0, -1}, {1, 0, -INFINITY}};
+  static const char *const walls[] = {"surface smooth rebound walton 0.9 0.3 0",
+                                      "surface sigma 10 rebound walton 0.9 0.3 0",
+                                      "surface sigma 10 spread profile rebound constant 0.5 0.5",
+                                      "surface sigma 10 rebound walton 0.9 0.3 0 grain lever 0.1"};
+  for (size_t w = 0; w < sizeof walls / sizeof *walls; w++) {
+    asp_wall *wall = asp_wall_from_text(walls[w], 0, 0, NULL);
+    assert_non_null(wall);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+      asp_impact impact;
+      assert_int_equal(asp_wall_impact(wall, &grain, bad[i], up, &(asp_key){1, 1, 1, 1}, &impact),
+                       ASP_OK);
+      assert_memory_equal(impact.v2, bad[i], sizeof bad[i]);
+      asp_coefficients c = asp_impact_coefficients(bad[i], up, &impact);
+      assert_true(isnan(c.cor_n) && isnan(c.cor_v));
+    }
+    asp_wall_free(wall);
+  }
 }
 
 int main(void) {
@@ -393,7 +434,8 @@ int main(void) {
       cmocka_unit_test(many_impacts_are_single_ones),
       cmocka_unit_test(a_pair_is_needed),
       cmocka_unit_test(properties),
-      cmocka_unit_test(no_coefficient_is_infinite),
+      cmocka_unit_test(no_number),
+      cmocka_unit_test(no_coefficient_by_rounding),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

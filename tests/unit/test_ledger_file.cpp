@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -53,6 +54,19 @@ static void assert_written(const std::string &why) {
 static void assert_says(const std::string &text, const std::string &word) {
   if (text.find(word) == std::string::npos)
     fail_msg("'%s' is not in '%s'", word.c_str(), text.c_str());
+}
+
+/* A grain that slides has no CoR_N: nan in the array, nothing in the file. */
+static void slides(void **) {
+  const double v1[3] = {2, 0, 0}, n[3] = {0, 0, 1};
+  asp_impact impact = asp_impact();
+  impact.v2[0] = 1;
+  impact.v2[2] = 0.1;
+  const LedgerRow row = impact_row(v1, n, impact);
+  assert_true(std::isnan(row[LedgerColumn::COR_N]) && row[LedgerColumn::COR_T] == 0.5);
+  std::vector<char> bytes;
+  append_line(row.data(), LedgerColumn::N_COLUMNS, bytes);
+  assert_says(std::string(bytes.begin(), bytes.end()), ",,0.5,0\n");
 }
 
 static void limit(rlim_t bytes) {
@@ -208,10 +222,10 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk),    cmocka_unit_test(deleted), cmocka_unit_test(cut_short),
-                                     cmocka_unit_test(every_length), cmocka_unit_test(two_walls),
-                                     cmocka_unit_test(no_file),      cmocka_unit_test(long_tags),
-                                     cmocka_unit_test(links)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(full_disk),    cmocka_unit_test(deleted),   cmocka_unit_test(cut_short),
+      cmocka_unit_test(every_length), cmocka_unit_test(two_walls), cmocka_unit_test(no_file),
+      cmocka_unit_test(long_tags),    cmocka_unit_test(links),     cmocka_unit_test(slides)};
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;

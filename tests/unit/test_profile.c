@@ -68,7 +68,7 @@ static void description_of_a_wave(void **state) {
   for (int i = 0; i < N; i++)
     z[i] = 5 + sqrt(2) * sin(2 * ASP_PI * i / 100);
   for (int periodic = 0; periodic < 2; periodic++) {
-    asp_heights *p = asp_heights_create(z, N, 1, 0.1, 0.1, periodic, NULL);
+    asp_heights *p = asp_heights_create(z, N, 1, 0.1, 0, periodic, NULL);
     asp_heights_numbers d;
     assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
     assert_near(d.s_q, 1, 1e-9);

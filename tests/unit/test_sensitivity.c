@@ -82,6 +82,62 @@ static void weights_give_the_other_wall(void **state) {
       check_weights(walls[i][0], walls[i][1], k == 2 ? 1e-4 : 1e-5, (const double[]){2, 15, 70}[k]);
 }
 
+/* Every model, with some that draw again; `profile` has its laws by phi_r. */
+static void weights_of_every_model(void **state) {
+  (void)state;
+  char words[2][120];
+  int refused = 0;
+  for (int i = 1; i < asp_spread_count(); i++) {
+    const char *name = asp_spread_name(asp_spread_at(i));
+    for (int of = 0; of < 2; of++)
+      snprintf(words[of], sizeof words[of],
+               "surface rq %dum lambda_c 40um spread %s rebound walton 0.8 0.2 0", of ? 11 : 10,
+               name);
+    asp_wall *wall = wall_of(words[0]);
+    const asp_wall *const others[] = {wall};
+    const asp_particle grain = {.d_p = 1e-5, .density = 2650};
+    asp_impact impact;
+    double weight, v[3];
+    set_speed(30, 15, v);
+    bool has = !asp_wall_weights(wall, 1, &grain, v, up, &(asp_key){1, 1, 1, 1}, 1, others, &impact,
+                                 &weight, NULL);
+    asp_wall_free(wall);
+    refused += !has;
+    for (int k = 0; k < 3 && has; k++)
+      check_weights(words[0], words[1], 1e-5, (const double[]){3, 15, 70}[k]);
+  }
+  assert_int_equal(refused, 2); /* multicollision, traced */
+}
+
+/* A much steeper wall is refused: by its slope along the lay, too. */
+static void steeper_walls_are_refused(void **state) {
+  (void)state;
+  static const char *const walls[][2] = {
+      {"surface sigma 5 rebound walton 0.8 0.2 0", "surface sigma %g rebound walton 0.8 0.2 0"},
+      {"surface rq 3um lambda_c 40um 80um lay 1 2 0 rebound walton 0.8 0.2 0",
+       "surface rq 3um lambda_c 40um %gum lay 1 2 0 rebound walton 0.8 0.2 0"}};
+  static const double given[][2] = {{6.95, 7.05}, {58, 56.5}};
+  const double lay[3] = {1, 2, 0};
+  const asp_particle grain = {.d_p = 1e-6, .density = 2650, .lay = lay};
+  double v1[3], weight;
+  set_speed(30, 30, v1);
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++) {
+      char words[100];
+      snprintf(words, sizeof words, walls[i][1], given[i][k]);
+      asp_wall *own = wall_of(walls[i][0]), *other = wall_of(words);
+      const asp_wall *const others[] = {other};
+      asp_impact impact;
+      asp_error error = {ASP_OK, ""};
+      assert_int_equal(asp_wall_weights(own, 1, &grain, v1, up, &(asp_key){1, 1, 1, 1}, 1, others,
+                                        &impact, &weight, &error),
+                       k ? ASP_ERANGE : ASP_OK);
+      assert_true(!k || strstr(error.text, "it must be at most 1.4 times"));
+      asp_wall_free(own);
+      asp_wall_free(other);
+    }
+}
+
 static void walls_without_weights_are_refused(void **state) {
   (void)state;
   static const char *const walls[] = {
@@ -194,6 +250,8 @@ static void one_run_tells_of_others(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(weights_give_the_other_wall),
+      cmocka_unit_test(weights_of_every_model),
+      cmocka_unit_test(steeper_walls_are_refused),
       cmocka_unit_test(walls_without_weights_are_refused),
       cmocka_unit_test(one_run_tells_of_others),
   };

@@ -307,8 +307,28 @@ static void slopes_raise_no_trap(void **state) {
   asp_heights_free(p);
 }
 
+/* A wall by its slope alone has no height, and a length only if that is given. */
+static void slope_alone(void **state) {
+  (void)state;
+  for (int i = 0; i < 2; i++) {
+    asp_wall *wall = asp_wall_from_text(i ? "surface sigma 45 lambda_c 40um rebound constant 1 1"
+                                          : "surface sigma 45 rebound constant 1 1",
+                                        0, 0, NULL);
+    const asp_surface *s = asp_wall_surface(wall);
+    assert_true(isnan(asp_surface_r_q(s)));
+    assert_near(asp_surface_phi_r(s), sqrt(0.5), 1e-15);
+    assert_near(asp_surface_kappa(s, 1), 0, 0);
+    for (double d = 1e-9; d < 10; d *= 10)
+      assert_near(asp_wall_slope(wall, d), 1, 1e-15);
+    assert_true(i ? fabs(asp_surface_lambda_c(s) - 40e-6) < 1e-18 : isnan(asp_surface_lambda_c(s)));
+    assert_near(asp_surface_face_length(s, 1e-3), i ? 40e-6 * M_PI / sqrt(2) : 1e-3, 1e-15);
+    asp_wall_free(wall);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(slope_alone),
       cmocka_unit_test(numbers_of_the_wall),
       cmocka_unit_test(size_law_agrees_with_traced_profiles),
       cmocka_unit_test(no_step_where_the_filter_begins),

@@ -28,8 +28,8 @@ namespace {
 const double DIAMETER = 1, HALF = 5; /* of the grains; of the distance of both planes */
 const int GRAINS = 200;
 const char *const ELASTIC = "rebound constant 1 1 deposit off";
-const char *const IN_FLOW =
-    "materials quartz deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5";
+const char *const IN_FLOW = "materials quartz surface_energy 0.4 deposit freeze remove u_tau 1 "
+                            "gas_density 1.2 gas_viscosity 1.5e-5";
 
 /* A wall of two planes across x. */
 std::unique_ptr<Wall> wall_of(const Engine &engine, const std::string &description) {

@@ -236,7 +236,8 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         return number if word is None else word.decode()
 
     def surface(self) -> dict[str, float]:
-        """r_q, lambda_c, lambda_along, phi_r and slope_rms; empty if the wall is smooth."""
+        """r_q, lambda_c, lambda_along, phi_r and slope_rms; empty if the wall is smooth. A wall by
+        sigma has no r_q, and a lambda_c only if that is given: nan."""
         names = ("r_q", "lambda_c", "lambda_along", "phi_r", "slope_rms") if self._surface else ()
         return {name: getattr(_asp, "asp_surface_" + name)(self._surface) for name in names}
 
@@ -268,7 +269,8 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         lay : array_like, optional
             Direction of the lay.
         temperature, u_tau : array_like
-            Of the particle (K), and friction velocity of the gas (m/s); 0: those of the words.
+            Of the particle (K), and friction velocity of the gas (m/s); 0: those of the words; a
+            negative u_tau is a gas at rest.
         body : array of BODY, optional
             Bodies in place of spheres.
         tag, impact : array_like
@@ -375,7 +377,8 @@ def coefficients(v1: ArrayLike, impacts: NDArray[np.void],
     -------
     array of asp_coefficients, by columns
         v1, alpha1, v2, alpha2, cor_v, cor_alpha, cor_n, cor_v_space, cor_alpha_space, cor_t.
-        Coefficients are nan for deposits, and cor_t at normal impact.
+        Coefficients are nan for deposits, cor_t also at normal impact, cor_n and
+        cor_alpha also where v1 has no normal part.
 
     Examples
     --------
