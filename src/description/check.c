@@ -7,7 +7,6 @@
 #include "surface/size_law.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* Correlation length of a wall by its sigma alone, in meters: larger than all particles. */
 #define SIGMA_LAMBDA 1e6
@@ -25,8 +24,8 @@ static asp_code check_effects(const asp_description *d, asp_error *error) {
   const double from = asp_description_get(d, "soften_from");
   const bool is_hot = aspi_is_fit(d, "temperature") || aspi_is_fit(d, "soften_from") ||
                       asp_description_get(d, "temperature") > from;
-  char degrees[40];
-  snprintf(degrees, sizeof degrees, "%g K only", from);
+  char degrees[40] = "";
+  aspi_append(degrees, sizeof degrees, "%g K only", from);
   const struct {
     const char *name;
     bool idle;
