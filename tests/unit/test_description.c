@@ -47,6 +47,15 @@ static void canonical_texts(void **state) {
              "surface profile \"my blade.csv\" dp_bins 4 spread traced isotropic collisions "
              "multiple rebound bons yield_rate 3000000 temperature 800 soften 773.15 0.001 spin on "
              "deposit freeze seed 1");
+  check_text("surface profile \"it's\" materials quartz steel",
+             "surface profile \"it's\" spread traced isotropic collisions multiple rebound bons "
+             "materials quartz steel deposit freeze seed 1");
+  check_text("surface map 'a\nb' materials quartz steel",
+             "surface map \"a\nb\" spread traced isotropic collisions multiple rebound bons "
+             "materials quartz steel deposit freeze seed 1");
+  check_text("surface map \"it's 5\"\" long\" materials quartz steel",
+             "surface map \"it's 5\"\" long\" spread traced isotropic collisions multiple rebound "
+             "bons materials quartz steel deposit freeze seed 1");
   check_text("yield_stress 200kPa erosion finnie 500kPa density 2000",
              "surface smooth rebound bons yield_stress 200000Pa deposit freeze erosion finnie "
              "500000Pa density 2000 face mean seed 1");
@@ -146,7 +155,7 @@ static void add_surface(char *text, bool *rough, bool *measured) {
     add(text, "rq %.17g lambda_c 1 %.17g lay %s", 1e-3 + 0.2 * uniform(), 1 + uniform(),
         whole(2) ? "circumferential" : "-33.3deg");
   else if (kind == 4)
-    add(text, "profile %s", whole(2) ? "a.csv" : "\"in a 'folder'/a.csv\"");
+    add(text, "profile %s", whole(2) ? "a.csv" : "\"in a 'folder'/\"\"a\"\".csv\"");
   else
     add(text, "map \"x y.sdf\" lay %.17g %.17g 0", uniform(), 1 + uniform());
 }
