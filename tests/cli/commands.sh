@@ -94,6 +94,10 @@ refuses 2 ".png, .svg or .pdf" -- spread surface sigma 10 --plot picture.bmp
 refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere/x.csv
 [ ! -e picture.bmp ] || die "half a picture was left"
 "$asperity" cor --samples 5000 -o /dev/full 2> err && die "a full disk went unnoticed"
+for words in --help --version "help wall" "help cor" "cor --help"; do
+  status=0; "$asperity" $words > /dev/full 2> err || status=$?
+  [ $status = 1 ] && grep -q "cannot write standard output: No space" err || die "$words to a full disk: exit $status: $(cat err)"
+done
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
 
