@@ -123,6 +123,23 @@ static void sticks_always(const asp_question *q, char *text, size_t size) {
             .text);
 }
 
+/* Without adhesion these laws do not depend on the size. */
+static void has_other_sizes(const asp_question *q, char *text, size_t size) {
+  const asp_rebound_law *law = q->words->choice.law;
+  const double meter = q->words->units.meter, d_most = q->largest->d_p / meter;
+  const double d_least = q->d_least > 0 ? q->d_least / meter : d_most;
+  if (!q->largest->pair || !(d_most > 0) || q->words->deposit == ASPI_DEPOSIT_OFF ||
+      !(q->largest->pair->surface_energy > 0) || (d_least >= law->d_least && d_most <= law->d_most))
+    return;
+  aspi_append(text, size, "the adhesion of '%s' is for particles of %g to %g um; ", law->name,
+              1e6 * law->d_least, 1e6 * law->d_most);
+  if (d_most > law->d_most)
+    aspi_append(text, size,
+                "it freezes larger grains to the wall: say 'rebound walton E MU 0 deposit off'");
+  else
+    aspi_append(text, size, "for smaller ones say 'rebound thornton_ning'");
+}
+
 /* ---- words ---- */
 
 static void is_high(const asp_question *q, char *text, size_t size) {
@@ -206,7 +223,7 @@ bool asp_doubt(const asp_question *question, int index, char *text, size_t size)
   static ask *const doubts[] = {
       is_high,           is_soft,       has_no_sampling, has_odd_heights,
       is_coarse,         holds_nothing, is_rough_twice,  draws_from_gaussian,
-      has_other_density, yields_never,  sticks_always};
+      has_other_density, yields_never,  sticks_always,   has_other_sizes};
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;
