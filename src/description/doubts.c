@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "description/description.h"
 #include "readers/read.h"
@@ -128,12 +129,14 @@ static void has_other_sizes(const asp_question *q, char *text, size_t size) {
   const asp_rebound_law *law = q->words->choice.law;
   const double meter = q->words->units.meter, d_most = q->largest->d_p / meter;
   const double d_least = q->d_least > 0 ? q->d_least / meter : d_most;
+  const bool are_large = d_most > (1 + ASPI_ROUNDING_TEXT) * law->d_most;
   if (!q->largest->pair || !(d_most > 0) || q->words->deposit == ASPI_DEPOSIT_OFF ||
-      !(q->largest->pair->surface_energy > 0) || (d_least >= law->d_least && d_most <= law->d_most))
+      !(q->largest->pair->surface_energy > 0) ||
+      (!are_large && d_least >= (1 - ASPI_ROUNDING_TEXT) * law->d_least))
     return;
   aspi_append(text, size, "the adhesion of '%s' is for particles of %g to %g um; ", law->name,
               1e6 * law->d_least, 1e6 * law->d_most);
-  if (d_most > law->d_most)
+  if (are_large)
     aspi_append(text, size,
                 "it freezes larger grains to the wall: say 'rebound walton E MU 0 deposit off'");
   else
