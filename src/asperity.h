@@ -175,8 +175,9 @@ typedef struct asp_units {
  * `asperity help wall` prints all of them. Without words it is a smooth wall with the law `bons`. A
  * number alone is in the caller's units (NULL: SI; their name must live as long as the
  * description), one with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles
- * are degrees. Names with blanks stand in quotes. A word without an effect on the wall is an error.
- * Files of tables and materials are read here, files of measured walls by asp_wall_create. */
+ * are degrees. Names with blanks stand in quotes, where a quote is doubled. A word without an
+ * effect on the wall is an error. Files of tables and materials are read here, files of measured
+ * walls by asp_wall_create. */
 typedef struct asp_description asp_description;
 asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error);
 void asp_description_free(asp_description *description);

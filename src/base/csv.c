@@ -10,16 +10,36 @@
 #include <string.h>
 #include <strings.h>
 
+enum { COMMENT_MOST = 1 << 22 }; /* characters */
+
+/* Goes past the comments at hand, which may be longer than other lines; keeps the first one. */
+static asp_code take_comments(aspi_csv *csv, asp_error *error) {
+  int c;
+  while ((c = getc(csv->stream)) == '#') {
+    ungetc(c, csv->stream);
+    bool found;
+    size_t room = 0;
+    asp_code code = csv->comment ? ASP_OK
+                                 : aspi_text_long_line(&csv->text, &csv->comment, &room,
+                                                       COMMENT_MOST, &found, error);
+    if (code)
+      return code;
+    while (room == 0 && (c = aspi_text_character(&csv->text)) != EOF && c != '\n')
+      ;
+  }
+  ungetc(c, csv->stream);
+  return ASP_OK;
+}
+
 /* The next line that is neither blank nor a comment. */
 static asp_code next_line(aspi_csv *csv, bool *found, asp_error *error) {
   for (;;) {
-    asp_code code = aspi_text_line(&csv->text, found, error);
+    asp_code code = take_comments(csv, error);
+    if (!code)
+      code = aspi_text_line(&csv->text, found, error);
     if (code || !*found)
       return code;
-    char *text = csv->text.text;
-    const char *first = text + strspn(text, " \t\v\f");
-    if (*first == '#' && !*csv->comment)
-      strcpy(csv->comment, first);
+    const char *text = csv->text.text, *first = text + strspn(text, " \t\v\f");
     if (*first && *first != '#')
       return ASP_OK;
   }
@@ -125,15 +145,20 @@ aspi_csv *aspi_csv_open(const char *path, asp_error *error) {
     return NULL;
   csv->stream = stream;
   csv->text = aspi_text_create(stream, path);
-  if (!read_header(csv, error))
+  asp_code code = read_header(csv, error);
+  if (!code && !csv->comment && !(csv->comment = calloc(1, 1)))
+    code = aspi_fail(error, ASP_ENOMEM, "out of memory for the table '%s'", path);
+  if (!code)
     return csv;
   aspi_csv_close(csv);
   return NULL;
 }
 
 void aspi_csv_close(aspi_csv *csv) {
-  if (csv)
-    fclose(csv->stream);
+  if (!csv)
+    return;
+  fclose(csv->stream);
+  free(csv->comment);
   free(csv);
 }
 

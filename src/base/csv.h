@@ -18,7 +18,7 @@ typedef struct aspi_csv {
   aspi_text text;
   char separator;
   bool forced, has_row; /* the separator by `sep=`; the line at hand is a row not taken yet */
-  char comment[ASP_TEXT_MOST];  /* the first one, or "" */
+  char *comment;        /* the first one, however long, or "" */
   char above[2][ASP_TEXT_MOST]; /* the lines above the first row, the nearest first */
   int columns, count;           /* names, and fields of the row */
   char *names[ASP_CSV_COLUMNS], *fields[ASP_CSV_COLUMNS];

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/number.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -24,7 +25,7 @@ asp_code aspi_fail(asp_error *error, asp_code code, const char *format, ...) {
     error->code = code;
     va_list args;
     va_start(args, format);
-    vsnprintf(error->text, sizeof error->text, format, args);
+    aspi_print_list(error->text, sizeof error->text, format, args);
     va_end(args);
   }
   return code;
@@ -34,7 +35,7 @@ void aspi_append(char *text, size_t size, const char *format, ...) {
   size_t used = strlen(text);
   va_list args;
   va_start(args, format);
-  vsnprintf(text + used, size - used, format, args);
+  aspi_print_list(text + used, size - used, format, args);
   va_end(args);
 }
 

@@ -28,6 +28,13 @@ static void restore_locale(locales l) {
   freelocale(l.c);
 }
 
+int aspi_print_list(char *text, size_t size, const char *format, va_list list) {
+  locales l = use_c_locale();
+  int length = vsnprintf(text, size, format, list);
+  restore_locale(l);
+  return length;
+}
+
 double aspi_number(const char *text, char **end) {
   locales l = use_c_locale();
   double value = strtod(text, end);

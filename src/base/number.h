@@ -4,9 +4,15 @@
 #ifndef ASP_BASE_NUMBER_H
 #define ASP_BASE_NUMBER_H
 
+#include <stdarg.h>
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* C's vsnprintf in the "C" locale. */
+int aspi_print_list(char *text, size_t size, const char *format, va_list list);
 
 /* C's strtod in the "C" locale: a decimal point, whatever locale the program has set. */
 double aspi_number(const char *text, char **end);

@@ -111,7 +111,7 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   char message[320];
   va_list args;
   va_start(args, format);
-  vsnprintf(message, sizeof message, format, args);
+  aspi_print_list(message, sizeof message, format, args);
   va_end(args);
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }

@@ -92,6 +92,7 @@ static cli_option *take_option(cli_call *call, int argc, char **argv, int found)
   const char *name = call->command->name;
   if (found == CLI_OPTIONS_MOST || found == 'h') {
     cli_help_command(call->command, call->options);
+    cli_file_close(stdout);
     exit(0);
   }
   if (found == ':')

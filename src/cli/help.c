@@ -5,6 +5,7 @@
 #include "erosion/laws.h"
 #include "cli/cli.h"
 #include "description/description.h"
+#include "rebound/laws.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -132,8 +133,11 @@ void cli_help_wall(void) {
   fputs("\nLAW, with the ranges and [defaults] of its parameters:\n", stdout);
   for (int i = 0; i < asp_rebound_count(); i++) {
     const asp_rebound_law *law = asp_rebound_at(i);
+    char summary[200];
+    snprintf(summary, sizeof summary, law->d_most > 0 ? "%s, for particles of %g to %g um" : "%s",
+             law->summary, 1e6 * law->d_least, 1e6 * law->d_most);
     put_law(law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters,
-            law->summary, law->source);
+            summary, law->source);
   }
   fputs("\nLAW of erosion:\n", stdout);
   for (int i = 0; i < aspi_erosion_count(); i++) {

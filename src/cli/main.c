@@ -31,6 +31,7 @@ int main(int argc, char **argv) {
   const char *word = argv[1];
   if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "wall") == 0) {
     cli_help_wall();
+    cli_file_close(stdout);
     return 0;
   }
   if (strcmp(word, "help") == 0 && argc > 2) {
@@ -39,10 +40,12 @@ int main(int argc, char **argv) {
   }
   if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
     cli_help_all(commands);
+    cli_file_close(stdout);
     return 0;
   }
   if (strcmp(word, "--version") == 0) {
     printf("asperity %s\n", asp_version());
+    cli_file_close(stdout);
     return 0;
   }
   cli_call call = cli_parse(find(word), argc - 1, argv + 1);

@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,17 +15,35 @@
 
 enum { SUFFIX_MOST = 40 };
 
-/* The file that is written; there is one at a time. */
-static struct {
-  const char *path;
-  char *partial; /* NULL where the stream is written to directly, or once it is closed */
-} file;
+/* The name of the file that is written; there is one at a time. */
+static const char *written;
 
-/* An exit leaves no part of a file. */
-static void remove_partial(void) {
-  if (file.partial)
-    unlink(file.partial);
-  file.partial = NULL;
+/* By cli_temporary. A partial file is NULL where the stream is written to directly. */
+static const char *volatile temporary[CLI_FOLDER + 1];
+
+void cli_clean_up(void) {
+  for (int i = 0; i <= CLI_FOLDER; i++) {
+    if (temporary[i] && unlink(temporary[i]) != 0)
+      rmdir(temporary[i]);
+    temporary[i] = NULL;
+  }
+}
+
+static void end_by_signal(int number) {
+  cli_clean_up();
+  raise(number); /* the handler is gone */
+}
+
+void cli_remove_later(cli_temporary kind, const char *path) {
+  static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
+  static bool is_set_up;
+  temporary[kind] = path;
+  for (size_t i = 0; i < sizeof signals / sizeof *signals && !is_set_up; i++) {
+    struct sigaction now, clean = {.sa_handler = end_by_signal, .sa_flags = (int)SA_RESETHAND};
+    if (sigaction(signals[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+      sigaction(signals[i], &clean, NULL);
+  }
+  is_set_up = is_set_up || atexit(cli_clean_up) == 0;
 }
 
 /* True if a file must not be replaced by another one: a device, a pipe, standard output. */
@@ -35,20 +54,17 @@ static bool stays(const struct stat *found) {
 }
 
 static FILE *open_partial(const char *path) {
-  static bool is_removed;
   size_t size = strlen(path) + SUFFIX_MOST;
   char *partial = cli_allocate(size, 1);
   snprintf(partial, size, "%s.%ld.partial", path, (long)getpid());
   FILE *stream = fopen(partial, "wx");
-  file.partial = stream ? partial : NULL;
-  if (!is_removed)
-    is_removed = atexit(remove_partial) == 0;
+  cli_remove_later(CLI_PARTIAL, stream ? partial : NULL);
   return stream;
 }
 
 FILE *cli_file_open(const char *path) {
   struct stat found;
-  file.path = path;
+  written = path;
   if (!path || strcmp(path, "-") == 0)
     return stdout;
   bool direct = stat(path, &found) == 0 && stays(&found);
@@ -66,16 +82,16 @@ void cli_file_check(const char *path) {
   if (direct)
     return;
   fclose(cli_file_open(path));
-  remove_partial();
+  cli_clean_up();
 }
 
 void cli_file_close(FILE *stream) {
   bool bad = fflush(stream) != 0 || ferror(stream);
   if (stream != stdout)
     bad = fclose(stream) != 0 || bad;
-  if (bad || (file.partial && rename(file.partial, file.path) != 0))
-    cli_fail("cannot write %s: %s", file.path ? file.path : "standard output", strerror(errno));
-  file.partial = NULL;
+  if (bad || (temporary[CLI_PARTIAL] && rename(temporary[CLI_PARTIAL], written) != 0))
+    cli_fail("cannot write %s: %s", written ? written : "standard output", strerror(errno));
+  temporary[CLI_PARTIAL] = NULL;
 }
 
 void cli_print_comment(FILE *out, const char *text) {

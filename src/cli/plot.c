@@ -19,14 +19,8 @@ enum { PATH_MOST = 4096, TITLE_MOST = 600 };
 
 extern char **environ;
 
-/* The folder with the table and the picture, "" where there is none. */
+/* The folder with the table and the picture. */
 static char folder[PATH_MOST], table_path[PATH_MOST + 20], picture_path[PATH_MOST + 20];
-
-static void remove_folder(void) {
-  unlink(table_path);
-  unlink(picture_path);
-  rmdir(folder);
-}
 
 /* png, svg or pdf. */
 static const char *ending_of(const char *path) {
@@ -85,10 +79,12 @@ FILE *cli_plot_open(const cli_call *call) {
   snprintf(folder, sizeof folder, "%s/asperity.XXXXXX", parent && *parent ? parent : "/tmp");
   if (!mkdtemp(folder))
     cli_fail("cannot make a temporary folder '%s': %s", folder, strerror(errno));
+  cli_remove_later(CLI_FOLDER, folder);
   snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
   snprintf(picture_path, sizeof picture_path, "%s/picture.%s", folder,
            ending_of(cli_value(call, "plot")));
-  atexit(remove_folder);
+  cli_remove_later(CLI_TABLE, table_path);
+  cli_remove_later(CLI_PICTURE, picture_path);
   FILE *table = fopen(table_path, "w+");
   if (!table)
     cli_fail("cannot write '%s': %s", table_path, strerror(errno));
@@ -123,7 +119,7 @@ void cli_plot_close(const cli_call *call, FILE *table, const char *script) {
     cli_fail("cannot write '%s': %s", table_path, strerror(errno));
   draw(call, script);
   fclose(table);
-  remove_folder();
+  cli_clean_up();
 }
 
 FILE *cli_table_open(const cli_call *call, const char *description) {

@@ -26,7 +26,7 @@ std::string for_types(int n, const char *first, const char *other) {
 } // namespace
 
 Model::Model(const Engine &engine)
-    : engine_(engine), units_(), d_range_(), doubted_for_(HUGE_VAL), deposit_(FREEZE), seed_(1),
+    : engine_(engine), units_(), d_range_(), doubted_for_{HUGE_VAL, 0}, deposit_(FREEZE), seed_(1),
       lay_(), heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
       wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), least_(0), most_(0),
       dissipates_(true), is_new_(true) {}

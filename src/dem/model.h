@@ -130,7 +130,7 @@ private:
   asp_units units_;
   std::string report_, materials_report_; /* what the reader of a file found; the constants */
   double d_range_[2];
-  double doubted_for_; /* the least diameter for which doubts were looked for */
+  double doubted_for_[2]; /* the least and the greatest diameter for which doubts were looked for */
   std::set<std::pair<int, std::string>> said_; /* doubts, with the type of the particles */
   Deposit deposit_;
   uint32_t seed_;

@@ -67,11 +67,14 @@ void Model::ask(const asp_question &question, int type, int wall_type) {
                             : doubt);
 }
 
-/* What looks like a mistake; anew where there are smaller particles than before. Collective. */
+/* What looks like a mistake; anew where there are smaller particles than before, or much larger
+ * ones. Collective. */
 void Model::warn_of_doubts() {
-  if (!wall_ || !(is_new_ || (most_ > 0 && least_ < doubted_for_)))
+  const bool have_others = most_ > 0 && (least_ < doubted_for_[0] || most_ > 2 * doubted_for_[1]);
+  if (!wall_ || !(is_new_ || have_others))
     return;
-  doubted_for_ = most_ > 0 ? least_ : doubted_for_;
+  doubted_for_[0] = most_ > 0 ? least_ : doubted_for_[0];
+  doubted_for_[1] = most_;
   asp_particle largest = {most_, 0, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
   asp_question question = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
   ask(question, 0, 0);

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 
 #include "base/number.h"
 #include "dem/error.h"
@@ -15,11 +14,11 @@ using namespace asperity;
 std::string asperity::text(const char *format, ...) {
   va_list args;
   va_start(args, format);
-  const int length = vsnprintf(NULL, 0, format, args);
+  const int length = aspi_print_list(NULL, 0, format, args);
   va_end(args);
   std::vector<char> line(length + 1);
   va_start(args, format);
-  vsnprintf(line.data(), line.size(), format, args);
+  aspi_print_list(line.data(), line.size(), format, args);
   va_end(args);
   return line.data();
 }

@@ -17,7 +17,7 @@ namespace asperity {
 #define ASPERITY_FORMAT
 #endif
 
-/* printf into a string. */
+/* printf into a string, in the "C" locale. */
 std::string text(const char *format, ...) ASPERITY_FORMAT;
 
 /* A number in a setting: equal texts for equal numbers. */

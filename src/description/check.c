@@ -7,7 +7,6 @@
 #include "surface/size_law.h"
 
 #include <math.h>
-#include <stdio.h>
 
 bool asp_description_needs_sizes(const asp_description *d) {
   return d->kind == ASPI_PROFILE || (d->kind != ASPI_SMOOTH && aspi_description_spread(d)->prepare);
@@ -22,8 +21,8 @@ static asp_code check_effects(const asp_description *d, asp_error *error) {
   const double from = asp_description_get(d, "soften_from");
   const bool is_hot = aspi_is_fit(d, "temperature") || aspi_is_fit(d, "soften_from") ||
                       asp_description_get(d, "temperature") > from;
-  char degrees[40];
-  snprintf(degrees, sizeof degrees, "%g K only", from);
+  char degrees[40] = "";
+  aspi_append(degrees, sizeof degrees, "%g K only", from);
   const struct {
     const char *name;
     bool idle;

@@ -51,7 +51,7 @@ size_t asp_description_text(const asp_description *d, char *text, size_t size) {
 
 /* Behind a word, or a name in quotes, and the blanks that follow. */
 static const char *behind_word(const char *at) {
-  const char *end = *at == '"' || *at == '\'' ? strchr(at + 1, *at) : NULL;
+  const char *end = *at == '"' || *at == '\'' ? aspi_quote_end(at) : NULL;
   at = end ? end + 1 : at + strcspn(at, " ");
   return at + strspn(at, " ");
 }

@@ -125,8 +125,8 @@ static asp_code set_parameter(asp_description *d, int index, double value, asp_e
 
 static asp_code set_number(asp_description *d, const aspi_keyword *k, double value,
                            asp_error *error) {
-  char given[32];
-  snprintf(given, sizeof given, "%g", value);
+  char given[32] = "";
+  aspi_append(given, sizeof given, "%g", value);
   asp_code code = aspi_keyword_check(k, given, value, error);
   if (code)
     return code;

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "description/description.h"
 #include "readers/read.h"
@@ -9,7 +10,6 @@
 #include "surface/instrument.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* A yield stress that is a larger share of the modulus is beyond all solids: then the modulus is
@@ -45,13 +45,13 @@ typedef struct si {
 } si;
 
 static si in_si(const asp_question *q, double value, const char *kind) {
-  si made;
+  si made = {""};
   char units[120];
   double factor = aspi_quantity_factor(kind, &q->words->units);
   aspi_quantity_units(kind, units, sizeof units);
   units[strcspn(units, " ")] = '\0';
-  snprintf(made.text, sizeof made.text, "%.4g%s%.20s", value / (factor > 0 ? factor : 1),
-           factor > 0 ? " " : "", factor > 0 ? units : "");
+  aspi_append(made.text, sizeof made.text, "%.4g%s%.20s", value / (factor > 0 ? factor : 1),
+              factor > 0 ? " " : "", factor > 0 ? units : "");
   return made;
 }
 
@@ -61,22 +61,24 @@ static void yields_never(const asp_question *q, char *text, size_t size) {
   const asp_pair *pair = q->largest->pair;
   if (pair && !(asp_description_get(q->words, "yield_rate") > 0) &&
       pair->yield_stress > YIELD_MOST * pair->modulus)
-    snprintf(text, size,
-             "the yield stress, %s, is %.3g times the composite modulus, %s, so that nothing "
-             "yields; is the modulus one that was made soft for the pair style? 'materials' takes "
-             "real ones",
-             in_si(q, pair->yield_stress, "stress").text, pair->yield_stress / pair->modulus,
-             in_si(q, pair->modulus, "stress").text);
+    aspi_append(
+        text, size,
+        "the yield stress, %s, is %.3g times the composite modulus, %s, so that nothing "
+        "yields; is the modulus one that was made soft for the pair style? 'materials' takes "
+        "real ones",
+        in_si(q, pair->yield_stress, "stress").text, pair->yield_stress / pair->modulus,
+        in_si(q, pair->modulus, "stress").text);
 }
 
 static void has_other_density(const asp_question *q, char *text, size_t size) {
   const asp_material *m = q->material[0];
   double off = m ? fabs(q->largest->density / m->density - 1) : 0;
   if (q->largest->density > 0 && m && m->density > 0 && off > DENSITY_OFF)
-    snprintf(text, size,
-             "the density of particles is up to %.3g %% off that of material '%s', %s; theirs is "
-             "taken",
-             100 * off, m->name, in_si(q, m->density, "density").text);
+    aspi_append(
+        text, size,
+        "the density of particles is up to %.3g %% off that of material '%s', %s; theirs is "
+        "taken",
+        100 * off, m->name, in_si(q, m->density, "density").text);
 }
 
 /* True if a normal impact at v sticks; oblique ones have less normal speed. */
@@ -113,7 +115,7 @@ double asp_description_capture_speed(const asp_description *d, const asp_particl
 
 static void sticks_always(const asp_question *q, char *text, size_t size) {
   if (isinf(asp_description_capture_speed(q->words, q->largest)))
-    snprintf(
+    aspi_append(
         text, size,
         "every impact of particles of diameter %s and less sticks, whatever its speed: the "
         "surface energy, %s, is too much for a yield stress of %s",
@@ -123,17 +125,36 @@ static void sticks_always(const asp_question *q, char *text, size_t size) {
             .text);
 }
 
+/* Without adhesion these laws do not depend on the size. */
+static void has_other_sizes(const asp_question *q, char *text, size_t size) {
+  const asp_rebound_law *law = q->words->choice.law;
+  const double meter = q->words->units.meter, d_most = q->largest->d_p / meter;
+  const double d_least = q->d_least > 0 ? q->d_least / meter : d_most;
+  const bool are_large = d_most > (1 + ASPI_ROUNDING_TEXT) * law->d_most;
+  if (!q->largest->pair || !(d_most > 0) || q->words->deposit == ASPI_DEPOSIT_OFF ||
+      !(q->largest->pair->surface_energy > 0) ||
+      (!are_large && d_least >= (1 - ASPI_ROUNDING_TEXT) * law->d_least))
+    return;
+  aspi_append(text, size, "the adhesion of '%s' is for particles of %g to %g um; ", law->name,
+              1e6 * law->d_least, 1e6 * law->d_most);
+  if (are_large)
+    aspi_append(text, size,
+                "it freezes larger grains to the wall: say 'rebound walton E MU 0 deposit off'");
+  else
+    aspi_append(text, size, "for smaller ones say 'rebound thornton_ning'");
+}
+
 /* ---- words ---- */
 
 static void is_high(const asp_question *q, char *text, size_t size) {
   double r_q = q->words->r_q, d_p = q->largest->d_p, meter = q->words->units.meter;
   if (d_p > 0 && r_q > DIAMETERS_MOST * d_p)
-    snprintf(text, size,
-             "rq is %s, %.3g times the diameter of the largest particle, %s; is it in another "
-             "unit?",
-             in_si(q, r_q, "length").text, r_q / d_p, in_si(q, d_p, "length").text);
+    aspi_append(text, size,
+                "rq is %s, %.3g times the diameter of the largest particle, %s; is it in another "
+                "unit?",
+                in_si(q, r_q, "length").text, r_q / d_p, in_si(q, d_p, "length").text);
   else if (!(d_p > 0) && meter > 0 && r_q > HEIGHT_MOST * meter)
-    snprintf(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / meter);
+    aspi_append(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / meter);
 }
 
 static void is_soft(const asp_question *q, char *text, size_t size) {
@@ -142,37 +163,38 @@ static void is_soft(const asp_question *q, char *text, size_t size) {
   bool hardness = p && strcmp(p->name, "hardness") == 0;
   if (p && strcmp(p->unit, "stress") == 0 &&
       erosion->si[0] < (hardness ? HARDNESS_LEAST : FLOW_STRESS_LEAST))
-    snprintf(text, size, "%s is %g, which is %g Pa; is it one in GPa%s?", p->name,
-             erosion->given[0], erosion->si[0], hardness ? "" : " or MPa");
+    aspi_append(text, size, "%s is %g, which is %g Pa; is it one in GPa%s?", p->name,
+                erosion->given[0], erosion->si[0], hardness ? "" : " or MPa");
 }
 
 static void has_no_sampling(const asp_question *q, char *text, size_t size) {
   double length = q->words->spacing;
   if (aspi_is_given(q->words, "rsm") && !aspi_is_given(q->words, "sampling"))
-    snprintf(text, size,
-             "rsm depends on the sampling length: lambda_c is taken as %s and may be %s to "
-             "%s; say 'sampling LR', or rather rdq",
-             in_si(q, q->words->lambda_c, "length").text,
-             in_si(q, length / aspi_r_sm_factor(ASPI_RSM_MOST), "length").text,
-             in_si(q, length / aspi_r_sm_factor(ASPI_RSM_LEAST), "length").text);
+    aspi_append(text, size,
+                "rsm depends on the sampling length: lambda_c is taken as %s and may be %s to "
+                "%s; say 'sampling LR', or rather rdq",
+                in_si(q, q->words->lambda_c, "length").text,
+                in_si(q, length / aspi_r_sm_factor(ASPI_RSM_MOST), "length").text,
+                in_si(q, length / aspi_r_sm_factor(ASPI_RSM_LEAST), "length").text);
 }
 
 static void holds_nothing(const asp_question *q, char *text, size_t size) {
   const aspi_flow *flow = &q->words->choice.flow;
   double d_p = q->largest->d_p;
   if (flow->density > 0 && d_p > 0 && !(aspi_flow_adhesion(flow, d_p) > 0))
-    snprintf(text, size,
-             "'remove' takes away at once what particles of diameter %s leave on the wall: from 70 "
-             "um on the median of adhesion by the size is 0; state 'adhesion'",
-             in_si(q, d_p, "length").text);
+    aspi_append(
+        text, size,
+        "'remove' takes away at once what particles of diameter %s leave on the wall: from 70 "
+        "um on the median of adhesion by the size is 0; state 'adhesion'",
+        in_si(q, d_p, "length").text);
 }
 
 /* ---- the wall that was made ---- */
 
 static void has_odd_heights(const asp_question *q, char *text, size_t size) {
   if (q->wall && q->wall->heights.doubt.code)
-    snprintf(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
-             q->words->file, q->wall->heights.doubt.text);
+    aspi_append(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
+                q->words->file, q->wall->heights.doubt.text);
 }
 
 static void is_coarse(const asp_question *q, char *text, size_t size) {
@@ -180,33 +202,34 @@ static void is_coarse(const asp_question *q, char *text, size_t size) {
   asp_error doubt;
   if (h && h->spacing > 0 && q->d_least > 0 &&
       aspi_sampling_check(q->d_least, h->spacing, h->length, h->lambda, &doubt))
-    snprintf(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
-             q->words->file, doubt.text);
+    aspi_append(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
+                q->words->file, doubt.text);
 }
 
 static void is_rough_twice(const asp_question *q, char *text, size_t size) {
   const asp_rebound_law *law = q->words->choice.law;
   if (q->wall && law->measured && asp_wall_surface(q->wall))
-    snprintf(text, size,
-             "the coefficients of '%s' were measured on a wall with a roughness of its own; on a "
-             "rough wall that counts twice",
-             law->name);
+    aspi_append(
+        text, size,
+        "the coefficients of '%s' were measured on a wall with a roughness of its own; on a "
+        "rough wall that counts twice",
+        law->name);
 }
 
 static void draws_from_gaussian(const asp_question *q, char *text, size_t size) {
   const asp_spread_model *spread = q->wall ? asp_wall_spread(q->wall) : NULL;
   if (spread && q->words->file && !spread->prepare && strcmp(spread->name, "none") != 0)
-    snprintf(text, size,
-             "'spread %s' draws from a Gaussian wall with the slopes of '%s', whose own law is "
-             "'spread traced'",
-             spread->name, q->words->file);
+    aspi_append(text, size,
+                "'spread %s' draws from a Gaussian wall with the slopes of '%s', whose own law is "
+                "'spread traced'",
+                spread->name, q->words->file);
 }
 
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
   static ask *const doubts[] = {
       is_high,           is_soft,       has_no_sampling, has_odd_heights,
       is_coarse,         holds_nothing, is_rough_twice,  draws_from_gaussian,
-      has_other_density, yields_never,  sticks_always};
+      has_other_density, yields_never,  sticks_always,   has_other_sizes};
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;

@@ -147,16 +147,19 @@ asp_code asp_description_read(asp_description *d, int count, const char *const *
 static int split(char *text, const char **words) {
   int count = 0;
   for (char *at = text; *(at += strspn(at, " \t\r\n"));) {
-    char quote = *at == '"' || *at == '\'' ? *at++ : '\0';
-    char *end = quote ? strchr(at, quote) : at + strcspn(at, " \t\r\n");
+    bool quoted = *at == '"' || *at == '\'';
+    char *end = quoted ? (char *)aspi_quote_end(at) : at + strcspn(at, " \t\r\n"), *to = at;
     if (!end)
       return -1;
+    const char quote = *at;
     if (words)
       words[count] = at;
     count++;
+    for (at += quoted; words && at < end; at += 1 + (quoted && *at == quote))
+      *to++ = *at;
     at = end + (*end != '\0');
     if (words)
-      *end = '\0';
+      *to = '\0';
   }
   return count;
 }

@@ -120,6 +120,13 @@ asp_code aspi_words_number(aspi_words *r, const aspi_keyword *k, double *value) 
 
 /* ---- writing ---- */
 
+const char *aspi_quote_end(const char *begin) {
+  const char *at = begin + 1;
+  while ((at = strchr(at, *begin)) && at[1] == *begin)
+    at += 2;
+  return at;
+}
+
 void aspi_line_word(aspi_line *l, const char *word) {
   size_t n = strlen(word);
   if (l->length > 0)
@@ -133,11 +140,15 @@ void aspi_line_word(aspi_line *l, const char *word) {
 }
 
 void aspi_line_name(aspi_line *l, const char *name) {
-  size_t size = strlen(name) + 3;
-  char *quoted = strpbrk(name, " \t\"'") || !*name ? malloc(size) : NULL;
+  char *quoted = strpbrk(name, " \t\r\n\"'") || !*name ? malloc(2 * strlen(name) + 3) : NULL;
   if (quoted) {
-    char quote = strchr(name, '"') ? '\'' : '"';
-    snprintf(quoted, size, "%c%s%c", quote, name, quote);
+    char *to = quoted, quote = strchr(name, '"') && !strchr(name, '\'') ? '\'' : '"';
+    *to++ = quote;
+    for (const char *c = name; *c; *to++ = *c++)
+      if (*c == quote)
+        *to++ = quote;
+    *to++ = quote;
+    *to = '\0';
   }
   aspi_line_word(l, quoted ? quoted : name);
   free(quoted);

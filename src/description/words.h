@@ -58,6 +58,9 @@ typedef struct aspi_line {
   size_t size, length;
 } aspi_line;
 
+/* The quote that ends a name in quotes; NULL: it has none. A quote within them is doubled. */
+const char *aspi_quote_end(const char *begin);
+
 /* Adds a word; a name, in quotes where it would not be one word; the word of that number in a list;
  * a number as it is; a number of some kind, or `fit=START` of an unknown one. */
 void aspi_line_word(aspi_line *line, const char *word);

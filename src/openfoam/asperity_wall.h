@@ -43,6 +43,12 @@ public:
     PatchInteractionModel<CloudType>::info(os);
     this->file() << endl;
     remove();
+    scalar least = GREAT, most = 0;
+    for (const parcelType &p : this->owner()) {
+      least = std::min(least, p.d());
+      most = std::max(most, p.d());
+    }
+    walls_->meet(least, most);
     walls_->info(os, *this);
   }
 

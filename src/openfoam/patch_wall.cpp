@@ -40,7 +40,7 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
 }
 
 /* Words that do not fit the case. In two dimensions OpenFOAM takes away the velocity out of the
- * plane, and energy with it. */
+ * plane, and energy with it; in a wedge it keeps the parcels in the plane in spite of it. */
 void PatchWall::check(const Cloud &cloud) const {
   const asp_description *words = words_.get();
   const std::string surface = asp_description_word(words, "surface");
@@ -58,7 +58,8 @@ void PatchWall::check(const Cloud &cloud) const {
   const bool in_plane = strcmp(asp_description_word(words, "tilt"), "plane") == 0;
   if (cloud.is_flat && surface != "smooth" &&
       (!in_plane || surface == "map" || lay_.kind != ASP_LAY_NONE))
-    throw Error("this case has two dimensions, and the wall tilts out of their plane; the spread "
+    throw Error("this case has two dimensions (empty or wedge patches), and the wall tilts out of "
+                "their plane; the spread "
                 "must be 'plane', as in 'spread visible plane', without map and lay");
 }
 
@@ -110,7 +111,7 @@ std::string PatchWall::heading() const {
   return description_text(words_.get());
 }
 
-std::string PatchWall::notes(const Cloud &cloud) const {
+std::string PatchWall::notes(const Cloud &cloud) {
   const asp_particle largest = {
       cloud.d_most, cloud.density, asp_wall_pair(wall_.get()), {0, 0, 0}, NULL, 0, 0, NULL};
   const asp_question question = {
@@ -122,6 +123,7 @@ std::string PatchWall::notes(const Cloud &cloud) const {
   std::string all;
   char doubt[480];
   for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
-    all += *doubt ? std::string("\n    warning: ") + doubt : "";
+    if (*doubt && said_.insert(doubt).second)
+      all += std::string("\n    warning: ") + doubt;
   return all;
 }

@@ -12,10 +12,14 @@
 #include "Time.H"
 #include "dem/error.h"
 #include "dem/books/ledger_file.h"
+#include "dem/text.h"
 #include "wallPolyPatch.H"
 
 using namespace asperity;
 using namespace Foam;
+
+/* Parcels over this share of the mesh's least extent are in doubt. */
+static const double LARGE = 0.1;
 
 /* Ends the run. */
 static void fail(const dictionary &dict, const std::string &what) {
@@ -24,7 +28,8 @@ static void fail(const dictionary &dict, const std::string &what) {
 
 PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, double density,
                        bool is_steady, const subModelBase &model)
-    : mesh_(gas.U.mesh()), gas_(gas), every_(model.coeffDict().getOrDefault<label>("ledger", 0)),
+    : mesh_(gas.U.mesh()), gas_(gas), cloud_(), is_large_(false),
+      every_(model.coeffDict().getOrDefault<label>("ledger", 0)),
       columns_(model.coeffDict().getOrDefault<Switch>("fullLedger", false)
                    ? LedgerColumn::N_FULL
                    : LedgerColumn::N_COLUMNS),
@@ -35,17 +40,17 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
     if (!wordList({"walls", "dMin", "dMax", "ledger", "fullLedger", "U"}).found(name))
       fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger " +
                        "and fullLedger");
-  const Cloud of = {coeffs.getOrDefault<scalar>("dMin", 0),
-                    coeffs.getOrDefault<scalar>("dMax", 0),
-                    density,
-                    has_temperature,
-                    mesh_.nSolutionD() < 3,
-                    is_steady};
+  cloud_ = {coeffs.getOrDefault<scalar>("dMin", 0),
+            coeffs.getOrDefault<scalar>("dMax", 0),
+            density,
+            has_temperature,
+            mesh_.nGeometricD() < 3,
+            is_steady};
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
    * and writes words; an impact raises none. */
   fenv_t traps;
   feholdexcept(&traps);
-  read(cloud, of, coeffs.subDict("walls"));
+  read(cloud, cloud_, coeffs.subDict("walls"));
   impacts_ = field<scalar>(cloud + ":impacts", dimless);
   deposited_ = field<scalar>(cloud + ":depositedMass", dimMass);
   energy_ = field<scalar>(cloud + ":energy", dimEnergy);
@@ -93,6 +98,39 @@ void PatchWalls::read(const word &cloud, const Cloud &of, const dictionary &entr
   for (const polyPatch &patch : mesh_.boundaryMesh())
     if (isA<wallPolyPatch>(patch) && !of_patch_[patch.index()])
       fail(entries, "walls has no entry for '" + patch.name() + "', a patch of type wall");
+}
+
+/* The contact is that of a parcel's center, so a large one goes into the wall. */
+void PatchWalls::meet(double d_least, double d_most) {
+  reduce(d_least, minOp<scalar>());
+  reduce(d_most, maxOp<scalar>());
+  const bool is_known = cloud_.d_most >= d_most && cloud_.d_least > 0 && cloud_.d_least <= d_least;
+  if (!(d_most > 0) || is_known)
+    return;
+  cloud_.d_most = std::max(cloud_.d_most, d_most);
+  cloud_.d_least = cloud_.d_least > 0 ? std::min(cloud_.d_least, d_least) : d_least;
+  double across = GREAT;
+  for (direction k = 0; k < 3; k++)
+    if (mesh_.geometricD()[k] > 0)
+      across = std::min(across, mesh_.bounds().span()[k]);
+  if (!is_large_ && d_most > LARGE * across) {
+    is_large_ = true;
+    Info
+        << text(
+               "    asperityWall warning: there are parcels of %.4g m in diameter, and the mesh is "
+               "%.4g m across; a parcel hits a wall only when its center reaches it",
+               d_most, across)
+               .c_str()
+        << endl;
+  }
+  fenv_t traps;
+  feholdexcept(&traps);
+  for (const auto &wall : walls_) {
+    const std::string notes = wall->notes(cloud_);
+    if (!notes.empty())
+      Info << "    asperityWall " << wall->heading().c_str() << notes.c_str() << endl;
+  }
+  fesetenv(&traps);
 }
 
 template <class Type>

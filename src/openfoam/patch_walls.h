@@ -6,6 +6,7 @@
 #define ASPERITY_OPENFOAM_PATCH_WALLS_H
 
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "asperity.h"
@@ -48,8 +49,8 @@ public:
   Hit hit(const Parcel &parcel, bool with_row);
   /* True if the flow takes a deposit away within this time. */
   bool removes(const Parcel &parcel, double dt) const;
-  std::string heading() const;                 /* the canonical text */
-  std::string notes(const Cloud &cloud) const; /* reasons and doubts, a line each */
+  std::string heading() const;           /* the canonical text */
+  std::string notes(const Cloud &cloud); /* doubts that are new, a line each */
 
   const std::string name;
   std::vector<LedgerRow> rows;      /* that the file does not have yet */
@@ -65,6 +66,7 @@ private:
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   uint32_t key_, seed_;
   asp_lay lay_;
+  std::set<std::string> said_; /* doubts */
 };
 
 /* The gas that carries the parcels. */
@@ -87,6 +89,10 @@ public:
   /* True if the flow takes a deposit away in this time step; it is counted. */
   bool removes(Parcel &parcel);
 
+  /* On all ranks: warns of what is odd about parcels of these diameters, those of this rank, once;
+   * d_most 0: it has none. */
+  void meet(double d_least, double d_most);
+
   /* At the end of a time step, on all ranks: sums to the log, rows to the ledgers, and at the time
    * of writing what a restart needs. */
   void info(Foam::Ostream &os, Foam::subModelBase &model);
@@ -104,6 +110,8 @@ private:
 
   const Foam::fvMesh &mesh_;
   const Gas gas_;
+  Cloud cloud_;             /* with the diameters that there have been */
+  bool is_large_;           /* for the mesh: was said */
   const Foam::label every_; /* time steps between writes of the ledgers; 0: there are none */
   const int columns_;
   std::vector<std::unique_ptr<PatchWall>> walls_;

@@ -227,14 +227,14 @@ static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_erro
              {"DataType", h->type < 0 ? 0 : h->type, 0, TYPES - 1, true}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
     double value = all[i].value;
-    char what[120];
+    char what[120] = "";
     if (value >= all[i].least && value <= all[i].most && !(all[i].whole && value > floor(value)))
       continue;
     if (isnan(value))
-      snprintf(what, sizeof what, "the header ends without %s", all[i].key);
+      aspi_append(what, sizeof what, "the header ends without %s", all[i].key);
     else
-      snprintf(what, sizeof what, "%s is %g; it must be %g to %g%s", all[i].key, value,
-               all[i].least, all[i].most, all[i].whole ? ", a whole number" : "");
+      aspi_append(what, sizeof what, "%s is %g; it must be %g to %g%s", all[i].key, value,
+                  all[i].least, all[i].most, all[i].whole ? ", a whole number" : "");
     return h->type < 0 ? aspi_text_fail(text, text->line, error, "%s", what)
                        : aspi_fail(error, ASP_EDATA, "%.200s: %s", text->path, what);
   }

@@ -73,6 +73,9 @@ static const asp_parameter parameters[N_PARAMETERS] = {
               .words = "off on"},
 };
 
+/* m; the smallest diameter that it is for (an estimate of this project) */
+#define D_LEAST 0.5e-6
+
 /* The share of the yield stress that heat leaves. */
 static double softened(const double *p, double own) {
   double temperature = own > 0 ? own : p[TEMPERATURE];
@@ -117,6 +120,8 @@ const asp_rebound_law aspi_rebound_bons = {
                "coefficient is fitted to this form, not Coulomb's",
     .source = "Bons, Prenter & Whitaker 2017; Whitaker & Bons 2018 (both by secondary sources)",
     .needs_pair = true,
+    .d_least = D_LEAST,
+    .d_most = ASPI_ADHESIVE_MOST,
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,

@@ -57,13 +57,18 @@ static inline double aspi_bounce_friction(const aspi_hit *hit, double v_n2, doub
  * the face it moves as if it had 2/7 of its mass. */
 #define ASPI_ROLLING (2.0 / 7)
 
+/* The largest diameter for adhesion of smooth spheres, in m. Larger grains touch the wall on a few
+ * asperities, which hold them far less (an estimate of this project). */
+#define ASPI_ADHESIVE_MOST 200e-6
+
 struct asp_rebound_law {
   const char *name;
   const char *summary;
   const char *source;
-  bool needs_pair;  /* whether aspi_hit.pair must be given */
-  bool needs_table; /* whether aspi_hit.table must be given */
-  bool measured;    /* its coefficients were measured on a wall: they include its roughness */
+  bool needs_pair;        /* whether aspi_hit.pair must be given */
+  bool needs_table;       /* whether aspi_hit.table must be given */
+  bool measured;          /* its coefficients were measured on a wall: they include its roughness */
+  double d_least, d_most; /* the diameters that its adhesion is for, in m; 0: it has none */
   int n_parameters;
   const asp_parameter *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);

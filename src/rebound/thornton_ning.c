@@ -128,6 +128,7 @@ const asp_rebound_law aspi_rebound_thornton_ning = {
                "friction and spin",
     .source = "Thornton & Ning 1998 (by secondary sources)",
     .needs_pair = true,
+    .d_most = ASPI_ADHESIVE_MOST,
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,

@@ -60,6 +60,17 @@ grep -q 'CoR_N' cor.svg && grep -q 'lambda_c' cor.svg && ! grep -q warning err |
 "$asperity" cor surface sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
 ! grep -q warning err && grep -q 'share of the rebounds' cor.svg || die "cor --plot of one impact: $(cat err)"
 "$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err || die "cor --plot where all stick: $(cat err)"
+! grep -q warning err && grep -q '>450 of 450 impacts stick<' cor.svg || die "cor --plot does not say that all stick: $(cat err)"
+"$asperity" cor surface sigma 5 --speed 0.01 --angles 30,60 --samples 5 --summary --plot cor.svg -o c 2> err
+! grep -q warning err && grep -q '>10 of 10 impacts stick<' cor.svg || die "cor --summary --plot does not say that all stick: $(cat err)"
+for kind in "--columns own" "--columns ledger" --summary; do
+  "$asperity" cor surface sigma 5 --speed 30 --samples 5 $kind --plot cor.svg -o c 2> err
+  case $kind in
+    --summary) stuck=$(paste -d ' ' <(column impacts c) <(column capture_share c) | awk '{ n += $1 * $2 } END { printf "%.0f", n }') ;;
+    *) stuck=$(column outcome c | grep -cv '^rebound$\|^0$') ;;
+  esac
+  [ "$stuck" -gt 0 ] && [ "$stuck" -lt 450 ] && [ "$(grep -c ">$stuck of 450 impacts stick<" cor.svg)" = 1 ] || die "cor $kind --plot: not $stuck of 450 stick"
+done
 for kind in --summary --capture; do
   "$asperity" cor surface sigma 5 --angles 45 --dp 1um,2um --speed 1,2 $kind --plot $kind.svg -o c 2> err && grep -q '<svg' ./$kind.svg || die "cor $kind --plot: $(cat err)"
 done
@@ -94,6 +105,10 @@ refuses 2 ".png, .svg or .pdf" -- spread surface sigma 10 --plot picture.bmp
 refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere/x.csv
 [ ! -e picture.bmp ] || die "half a picture was left"
 "$asperity" cor --samples 5000 -o /dev/full 2> err && die "a full disk went unnoticed"
+for words in --help --version "help wall" "help cor" "cor --help"; do
+  status=0; "$asperity" $words > /dev/full 2> err || status=$?
+  [ $status = 1 ] && grep -q "cannot write standard output: No space" err || die "$words to a full disk: exit $status: $(cat err)"
+done
 grep -q "cannot write" err || die "full disk: $(cat err)"
 ! ls ./*.partial > /dev/null 2>&1 || die "a partial file was left"
 

@@ -35,4 +35,13 @@ for file in profile uneven materials table impacts data; do
     grep -q "'$other'.*$word" err || die "$file that is '$other': $(cat err)"
   done
 done
+
+# A heading may be longer than any line of a table: this command's own is read by the others.
+angles=$(seq -s , 1.001 0.05 89)
+"$asperity" cor surface sigma 5 rebound walton 0.9 0.3 0 --angles "$angles" --samples 1 --columns ledger -o long
+[ "$(head -n 1 long | wc -c)" -gt 8192 ] || die "the heading is not long"
+{ cat long; head -n 1 long; } > twice # and a comment below the rows
+"$asperity" compare long twice > out 2> err || die "compare: $(cat err)"
+"$asperity" erosion long erosion dnv density 7800 --density 2650 > out 2> err || die "erosion: $(cat err)"
+refuses 2 "its first line has no 'fix ID wall/rebound'" -- sensitivity long surface sigma 5 rebound walton 0.9 0.3 0
 exit 0

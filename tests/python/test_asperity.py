@@ -3,8 +3,12 @@ command is $ASPERITY_BIN/asperity.
 
 SPDX-License-Identifier: GPL-3.0-or-later"""
 
+import copy
 import doctest
+import gc
+import multiprocessing
 import os
+import pickle
 import subprocess
 import tempfile
 import threading
@@ -146,6 +150,13 @@ class Walls(unittest.TestCase):
                                    (r"tag of impact 1 is -1", [(0, 0, -1), (0, 0, -2)], {"tag": (1, -1)}),
                                    (r"impact of impact 0 is -1", (0, 0, -1), {"impact": -1}),
                                    (r"seed of impact 0 is 4.*e\+09", (0, 0, -1), {"seed": 1 << 32}),
+                                   (r"d_p of impact 0 is inf", (0, 0, -1), {"d_p": np.inf}),
+                                   (r"d_p is 20; the size law", (0, 0, -1), {"d_p": 20}),
+                                   (r"temperature of impact 0 is nan", (0, 0, -1), {"temperature": np.nan}),
+                                   (r"u_tau of impact 0 is -1; it must be >= 0", (0, 0, -1), {"u_tau": -1}),
+                                   (r"lay of impact 0 is nan", (0, 0, -1), {"lay": (np.nan, 0, 0)}),
+                                   (r"inverse_mass of the body of impact 0 is 0; it must be > 0", (0, 0, -1),
+                                    {"body": np.zeros((), asperity.BODY)}),
                                    (r"density of impact 0 is 0", (0, 0, -1), {"density": 0})):
             self.refused(text, wall.impacts, v1, **{"d_p": 1e-5, **keywords})
         measured = asperity.Wall(f"surface profile mine {PAIR}", (1e-5, 2e-5), **self.heights())
@@ -163,7 +174,35 @@ class Walls(unittest.TestCase):
             asperity.Wall(f"surface profile mine {PAIR}", 2e-6, **self.heights())
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}", 1e-5)
+            wall = asperity.Wall(f"surface rq 5um lambda_c 40um {PAIR}", 1e-5)
+            wall.impacts((0, 0, -1), 2e-5)
+        wall = asperity.Wall(f"surface smooth {PAIR}", 1e-5)
+        for found in (1, 0):  # of sizes that the wall does not know yet, once
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                wall.impacts(np.tile((0., 0., -1.), (2, 1)), (1e-5, 2e-3))
+            self.assertEqual(len(caught), found)
+        self.refused("d_p is 20; the size law", asperity.Wall, f"surface rq 5um lambda_c 40um {PAIR}", 20)
+
+    def test_copies_are_the_same_wall(self):
+        """By copy, pickle and in another process, after the first one is gone."""
+        v1 = asperity.velocities(100, np.full(50, 0.3))
+        for words, arguments in ((f"surface profile mine {PAIR}", {"d_p": (1e-5, 2e-5), **self.heights()}),
+                                 ("surface sigma 8 rebound walton 0.9 0.3 0", {"name": "mine"})):
+            wall = asperity.Wall(words, **arguments)
+            wanted = wall.impacts(v1, 1e-5)
+            copies = [copy.copy(wall), copy.deepcopy(wall), pickle.loads(pickle.dumps(wall))]
+            with multiprocessing.get_context("fork").Pool(1) as pool:
+                in_pool = pool.apply_async(wall.impacts, (v1, 1e-5)).get(timeout=60)
+            if "heights" in arguments:
+                arguments["heights"][:] = 0
+                copies.append(copy.copy(wall))
+            del wall
+            gc.collect()
+            others = [asperity.Wall(f"surface sigma {s} rebound walton 0.1 0.9 0") for s in range(1, 30)]
+            for found in [in_pool] + [each.impacts(v1, 1e-5) for each in copies]:
+                np.testing.assert_array_equal(found, wanted)
+            self.assertEqual(len(others), 29)
 
     @staticmethod
     def heights(rows=1, columns=4096):

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
+#include "asperity_internal.h"
 #include "rebound/cor_table.h"
 #include "rebound/materials.h"
 #include "readers/read.h"
@@ -70,6 +71,37 @@ static void tables_and_materials(void **state) {
   aspi_materials_free(own);
 }
 
+/* A number in a message is written as the reader of a script writes it. */
+static void messages(void **state) {
+  (void)state;
+  static const char *const all[][2] = {
+      {"surface sigma 60.5", "sigma is 60.5; it must be 0.001 to 54"},
+      {"rebound bons soften 800.5 0.001 temperature 800", "falls above 800.5 K only"},
+      {"surface rq 5.5um lambda_c 4.25um", "phi_r = r_q/lambda_c is 1.29412"}};
+  asp_error error;
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    assert_null(asp_description_parse(all[i][0], NULL, &error));
+    if (!strstr(error.text, all[i][1]))
+      fail_msg("%s: %s", all[i][0], error.text);
+  }
+  const char *path = file_of("alpha1_deg,cor_n,cor_t\n95.5,0.75,0.25\n");
+  assert_null(aspi_cor_table_read(path, 1, &error));
+  unlink(path);
+  assert_non_null(strstr(error.text, "alpha1_deg is 95.5"));
+  asp_description *d = asp_description_parse("surface rq 0.5 lambda_c 4", NULL, NULL);
+  assert_int_equal(asp_description_set(d, "rq", -1.5, &error), ASP_EARG);
+  assert_non_null(strstr(error.text, "rq is -1.5"));
+  const asp_particle largest = {.d_p = 1.25e-5};
+  char text[500] = "";
+  for (int i = 0; !*text && asp_doubt(&(asp_question){d, NULL, 0, &largest, {NULL, NULL}}, i, text,
+                                      sizeof text);
+       i++)
+    ;
+  assert_non_null(
+      strstr(text, "rq is 0.5 m, 4e+04 times the diameter of the largest particle, 1.25e-05 m"));
+  asp_description_free(d);
+}
+
 /* The program's locale is still its own. */
 static void nothing_is_left_behind(void **state) {
   (void)state;
@@ -81,6 +113,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(profiles),
       cmocka_unit_test(tables_and_materials),
+      cmocka_unit_test(messages),
       cmocka_unit_test(nothing_is_left_behind),
   };
   return cmocka_run_group_tests(tests, set_locale, NULL);

@@ -263,6 +263,21 @@ void idle_walls_are_doubted(void **) {
   assert_int_equal(std::count(engine.warned.begin(), engine.warned.end(), '\n'), 3);
 }
 
+/* Grains that come later are asked about, too: once. */
+void grains_too_large_for_adhesion_are_doubted(void **) {
+  Alone engine;
+  engine.least = engine.most = 1e-5;
+  engine.kind = {true, 2650, 2650};
+  std::unique_ptr<Wall> wall = make_wall(engine, ground(), "materials quartz");
+  wall->init(0, 1e-6);
+  assert_string_equal(engine.warned.c_str(), "");
+  engine.most = 2e-3;
+  for (int run = 0; run < 2; run++)
+    wall->init(0, 1e-6);
+  assert_true(has(engine.warned, "type 1 on a wall of type 1: the adhesion of 'bons' is for"));
+  assert_int_equal(std::count(engine.warned.begin(), engine.warned.end(), '\n'), 1);
+}
+
 } // namespace
 
 /* Deposits of 10 um in a flow that takes half of them away in a second: when each leaves, in steps
@@ -427,6 +442,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(absurd_flights_are_refused),
       cmocka_unit_test(rows_are_in_the_box),
       cmocka_unit_test(idle_walls_are_doubted),
+      cmocka_unit_test(grains_too_large_for_adhesion_are_doubted),
       cmocka_unit_test(memories_come_back),
       cmocka_unit_test(bodies_of_no_wall_stay),
       cmocka_unit_test(flow_takes_deposits_away),

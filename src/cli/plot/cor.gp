@@ -17,7 +17,11 @@ sd(i) = n[i] > 1 ? sqrt(max(0, squares[i] - n[i] * mean(i) ** 2) / (n[i] - 1)) :
 stats table using (column('alpha1_deg')) nooutput
 from = STATS_min; to = STATS_max
 single = to - from < 0.01
+impacts = STATS_records
+stats table using (stuck = stuck + (strcol('outcome') ne 'rebound' && strcol('outcome') ne '0'), column('alpha1_deg')) nooutput
 thin = int(STATS_records / POINTS) + 1
+@set_stuck
+if (single) { set label 2 offset 0,1.9 } # above the mean
 do for [t=0:1] {
   do for [i=1:BINS] { n[i] = 0; total[i] = 0; squares[i] = 0; angles[i] = 0 }
   @survey
@@ -46,6 +50,7 @@ do for [t=0:1] {
         with filledcurves ls simulated fs transparent solid 0.2 noborder notitle, \
       n using (angles[$1] / n[$1]):(mean($1)) with lines ls simulated title 'mean ± sd'
   }
-  unset key
+  unset key; unset label 2
 }
+@set_all_stuck
 unset multiplot

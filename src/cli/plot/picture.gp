@@ -42,7 +42,8 @@ coefficient(t, from, to) = t ? axis(max(-1, min(0, from)), min(2, max(1, to))) :
 cor(t) = t ? 'CoR_T' : 'CoR_N'
 outside(n, of) = n ? sprintf('outside: %d of %d', n, of) : ''
 # One of two panels, left (t = 0) and right.
-panel = 'set lmargin at screen left + 0.5 * t; set rmargin at screen right - 0.5 * (1 - t)'
+drawn = 0
+panel = 'drawn = drawn + 1; set lmargin at screen left + 0.5 * t; set rmargin at screen right - 0.5 * (1 - t)'
 set_y = "if (strlen(range)) { set yrange [low(range):high(range)] } else { set yrange [0:*] }"
 # The number and the ends of the values of a column: @survey; stats table using (take(VALUE)) nooutput. stats leaves out
 # what the axes do.
@@ -52,5 +53,11 @@ take(v) = is(v) ? (seen = seen + 1, least = seen > 1 ? min(least, v) : v, most =
 set_axis = "r = coefficient(t, least, most); y = low(r); y_to = high(r); set yrange [y:y_to]; set ylabel cor(t); beyond = 0"
 check(v) = (beyond = beyond + (v < y || v > y_to), 1)
 set_label = "set label 1 outside(beyond, seen) at graph 1,1 right offset 0,0.7 font ',9'"
+# How many of the impacts stick: above the first panel, or alone in the picture, where there is nothing else to draw.
+stuck = 0
+text_of_stuck(n) = sprintf('%.0f of %.0f impacts stick', stuck, n)
+set_stuck = "set label 2 stuck > 0 ? text_of_stuck(impacts) : '' at graph 0,1 left offset 0,0.7 font ',9'"
+set_all_stuck = "if (drawn == 0) { set label 2 text_of_stuck(impacts) at screen 0.5,0.5 center; unset border; unset tics; ".\
+  "unset xlabel; unset ylabel; set xrange [0:1]; set yrange [0:1]; plot -1 notitle }"
 # Names, each once, of a list of words.
 add(list, w) = strstrt(' '.list, ' '.w.' ') ? list : list.w.' '

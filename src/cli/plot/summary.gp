@@ -16,11 +16,14 @@ from = least - room; to = most + room
 group(d, v) = (over eq 'dp_um' ? '' : d).','.(over eq 'v1_m_s' ? '' : v)
 groups = ''
 stats table using (groups = add(groups, group(strcol('dp_um'), strcol('v1_m_s'))), column('alpha1_deg')) nooutput
+impacts = 0
+stats table using (impacts = impacts + column('impacts'), stuck = stuck + column('impacts') * column('capture_share'), 1) nooutput
 part_of(g, k) = k == 1 ? g[1:strstrt(g, ',') - 1] : g[strstrt(g, ',') + 1:*]
 text(g) = (strlen(part_of(g, 1)) ? part_of(g, 1).' µm ' : '').(strlen(part_of(g, 2)) ? part_of(g, 2).' m/s' : '')
 with_group(g, v) = group(strcol('dp_um'), strcol('v1_m_s')) eq g ? v : NaN
 name(t) = t ? 'cor_t' : 'cor_n'
 set xlabel label
+@set_stuck
 do for [t=0:1] {
   @survey
   stats table using (take(column(name(t).'_mean'))) nooutput
@@ -32,6 +35,7 @@ do for [t=0:1] {
   set ylabel cor(t).', mean ± sd'; set xrange [from:to]
   plot for [i=1:words(groups)] table using (column(over)):(with_group(word(groups, i), column(name(t).'_mean'))):(column(name(t).'_sd')) \
     with yerrorlines ls ((i - 1) % 6 + 1) ps 0.7 title text(word(groups, i))
-  unset key
+  unset key; unset label 2
 }
+@set_all_stuck
 unset multiplot

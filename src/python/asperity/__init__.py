@@ -16,6 +16,7 @@ SPDX-License-Identifier: GPL-3.0-or-later"""
 from __future__ import annotations
 
 import ctypes
+import functools
 import warnings
 import weakref
 from ctypes import POINTER, byref, c_bool, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
@@ -142,7 +143,7 @@ def _whole(name: str, values: ArrayLike, most: int) -> NDArray[np.uint64]:
 
 
 class Wall:
-    """A wall that is ready for impacts.
+    """A wall that is ready for impacts. A copy or a pickle is made anew from its arguments.
 
     Parameters
     ----------
@@ -176,8 +177,9 @@ walton 0.9 0.3 0 deposit freeze seed 1')
                  step: ArrayLike = 0, periodic: bool = False, name: str = "python") -> None:
         self._words = self._own("description", _call("description_parse", words.encode(), None))
         _call("description_check_pair", self._words)
+        heights = None if heights is None else np.array(heights)
         if heights is not None:
-            self._set_heights(np.asarray(heights), np.atleast_1d(step).astype(float), periodic)
+            self._set_heights(heights, np.atleast_1d(step).astype(float), periodic)
         self._least, self._most = float(np.min(d_p)), float(np.max(d_p))
         if not 0 <= self._least <= self._most < np.inf:
             raise Error(f"d_p is {d_p}; it must be >= 0 m")
@@ -186,10 +188,14 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         self._surface = _asp.asp_wall_surface(self._wall)
         material = _asp.asp_description_material(self._words, 0)
         self._density = _asp.asp_material_get(material, b"density") if material else DENSITY
-        if self._surface and self._most > 0:
-            _call("surface_check", self._surface, self._most)
-        for doubt in self._doubts():
-            warnings.warn(doubt, stacklevel=2)
+        self._made_by = functools.partial(
+            type(self), heights=heights, step=step, periodic=periodic, name=name
+        ), (words, (self._least, self._most))
+        self._said: set[str] = set()
+        self._warn(self._least, self._most)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return self._made_by
 
     def _own(self, kind: str, handle: int) -> int:
         """Frees an object of the library with the wall."""
@@ -202,13 +208,23 @@ walton 0.9 0.3 0 deposit freeze seed 1')
                      periodic)
         _call("description_set_heights", self._words, self._own("heights", made))
 
-    def _doubts(self) -> Iterator[str]:
+    def _warn(self, least: float, most: float) -> None:
+        """Refuses diameters beyond the wall's range; warns of each doubt about them once."""
+        if self._surface and most > 0:
+            _call("surface_check", self._surface, most)
+        self._asked = least, most
+        for doubt in self._doubts(least, most):
+            if doubt not in self._said:
+                self._said.add(doubt)
+                warnings.warn(doubt, stacklevel=3)
+
+    def _doubts(self, least: float, most: float) -> Iterator[str]:
         """What looks like a mistake in the wall's words, its file, and its constants."""
         largest, question = np.zeros((), _PARTICLE), np.zeros((), _QUESTION)
-        largest["d_p"], largest["density"] = self._most, self._density
+        largest["d_p"], largest["density"] = most, self._density
         largest["pair"] = _asp.asp_wall_pair(self._wall) or 0
         question["words"], question["wall"] = self._words, self._wall
-        question["d_least"], question["largest"] = self._least, largest.ctypes.data
+        question["d_least"], question["largest"] = least, largest.ctypes.data
         question["material"] = [_asp.asp_description_material(self._words, i) or 0
                                 for i in range(2)]
         text, index = ctypes.create_string_buffer(500), 0
@@ -294,6 +310,8 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         normals, spin = _vectors("normals", normals, n), _vectors("omega", omega, n)
         lay = self._lay() if lay is None else lay
         lay = None if lay is None else _vectors("lay", lay, n)
+        if lay is not None:
+            _must(np.isfinite(lay).all(axis=1), "lay", lay.sum(axis=1), "finite")
         particles, keys, made = np.zeros(n, _PARTICLE), np.zeros(n, _KEY), np.zeros(n, _IMPACT)
         particles["d_p"], particles["omega"] = d_p, spin
         particles["density"] = self._density if density is None else density
@@ -304,12 +322,16 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         if body is not None:
             body = np.ascontiguousarray(np.broadcast_to(np.asarray(body, BODY), n))
             particles["body"] = body.ctypes.data + np.arange(n) * BODY.itemsize
-            lever = body["lever"]
+            lever, mass = body["lever"], body["inverse_mass"]
+            _must((mass > 0) & (mass < np.inf), "inverse_mass of the body", mass, "> 0 per kg")
         keys["seed"] = _whole("seed", self.get("seed") if seed is None else seed, (1 << 32) - 1)
         keys["wall"] = self._key
         keys["tag"] = np.arange(1, n + 1) if tag is None else _whole("tag", tag, (1 << 64) - 1)
         keys["impact"] = _whole("impact", impact, (1 << 32) - 1)
         self._check(v1 + np.cross(spin, lever), normals, particles)
+        sizes = np.append(particles["d_p"], [d for d in self._asked if d > 0])
+        if n > 0 and (sizes.min(), sizes.max()) != self._asked:
+            self._warn(sizes.min(), sizes.max())
         arrays = [a.ctypes.data for a in (particles, v1, normals, keys)]
         if not others:
             _call("wall_impacts", self._wall, n, *arrays, made.ctypes.data)
@@ -332,6 +354,8 @@ walton 0.9 0.3 0 deposit freeze seed 1')
                   f"{self._least:g} to {self._most:g} m, for which the wall was made")
         _must((d_p > 0) & (d_p < np.inf), "d_p", d_p, "> 0 m")
         _must((density > 0) & (density < np.inf), "density", density, "> 0 kg/m3")
+        for name in ("temperature", "u_tau"):
+            _must((particles[name] >= 0) & (particles[name] < np.inf), name, particles[name], ">= 0")
         _must(np.abs(length - 1) < 1e-6, "the length of the normal", length, "1")
         toward = np.einsum("ij,ij->i", v1, normals)
         _must(np.isfinite(v1).all(axis=1) & (toward < 0), "v1 . n", toward, "< 0, toward the wall")
