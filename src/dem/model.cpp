@@ -28,7 +28,7 @@ std::string for_types(int n, const char *first, const char *other) {
 Model::Model(const Engine &engine)
     : engine_(engine), units_(), d_range_(), doubted_for_{HUGE_VAL, 0}, deposit_(FREEZE), seed_(1),
       lay_(), heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
-      wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), least_(0), most_(0),
+      wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), types_(1), least_(0), most_(0),
       dissipates_(true), is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
@@ -206,7 +206,7 @@ void Model::constants(const char *name, bool pairs, bool needed, const char *exa
 
 /* The description's constants go before the script's, which may be soft ones for the pair style. */
 void Model::find_materials() {
-  const int n = engine_.types();
+  const int n = types_ = engine_.types();
   pairs_.clear();
   materials_.clear();
   own_.clear();
@@ -310,11 +310,6 @@ void Model::check_kinds() const {
 
 const asp_pair *Model::pair(int type, int wall_type) const {
   return pairs_.empty() ? NULL : pairs_[(type - 1) * engine_.types() + wall_type - 1].get();
-}
-
-double Model::friction(int type, int wall_type) const {
-  return friction_.empty() ? default_friction_
-                           : friction_[(type - 1) * engine_.types() + wall_type - 1];
 }
 
 double Model::worn_density(int wall_type) const {

@@ -50,7 +50,10 @@ public:
   const asp_pair *pair(int type, int wall_type) const;
 
   /* The coefficient of friction of a particle that rests, Coulomb's. */
-  double friction(int type, int wall_type) const;
+  double friction(int type, int wall_type) const {
+    return friction_.empty() ? default_friction_
+                             : friction_[static_cast<size_t>((type - 1) * types_ + wall_type - 1)];
+  }
 
   /* False if the law takes no energy, as that of a mirror. */
   bool dissipates() const {
@@ -143,6 +146,7 @@ private:
   std::vector<Pair> pairs_;                     /* particle type x wall type */
   std::vector<double> friction_; /* the same; empty: neither pairs nor the script have it */
   double default_friction_;
+  int types_;                       /* of atoms */
   std::vector<int> wall_types_;     /* of the wall's pieces */
   std::vector<Engine::Kind> kinds_; /* of the particles, and their least and largest diameters */
   double least_, most_;

@@ -676,17 +676,17 @@ void forces_do_their_own_work(void **) {
 /* Particles that are still to come have no density yet: that of their material counts. */
 void grains_to_come_are_not_doubted(void **) {
   const std::vector<Engine::Kind> kinds =
-      kinds_of(Spheres(), 1, std::vector<double>(1, 2e-3), MPI_COMM_WORLD);
+      kinds_of(Spheres(), 1, std::vector<double>(1, 5e-5), MPI_COMM_WORLD);
   assert_true(kinds[0].present && !(kinds[0].least > 0) && !(kinds[0].most > 0));
   Alone engine;
   engine.least = 1e-5;
-  engine.most = 4e-3;
+  engine.most = 1e-4;
   engine.kind = kinds[0];
   std::unique_ptr<Wall> wall = make_wall(engine, plane(0, 0), "materials quartz");
   wall->init(0, 0.1);
   assert_string_equal(engine.warned.c_str(), "");
   assert_int_equal(count(engine.printed, "d_p 1e-05 sticks below"), 1);
-  assert_int_equal(count(engine.printed, ", d_p 0.004 below"), 1);
+  assert_int_equal(count(engine.printed, ", d_p 0.0001 below"), 1);
 }
 
 /* A doubt that takes a diameter is said when there is one, and none is said twice. */

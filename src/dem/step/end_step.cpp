@@ -121,7 +121,7 @@ bool meet_face(AtEnd &now, Kind &kind, Stepper &first, Touch &touch, double &hol
   return true;
 }
 
-/* The accelerations that the walls give a mover until the middle of the next step. */
+/* The accelerations that the walls give a mover that rests. */
 void sum_pushes(const Walls &walls, const Mover &mover, double push[3], double twist[3]) {
   aspi_copy(NONE, push);
   aspi_copy(NONE, twist);
@@ -137,6 +137,8 @@ struct Resting {
   std::vector<Touch> held;
   std::vector<Support> supports; /* one of each */
   size_t count;
+  double push[3],
+      twist[3]; /* accelerations that the walls give until the middle of the next step */
 
   Resting() : count(0) {}
 
@@ -209,6 +211,8 @@ void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], cons
   const Mover &mover = now.mover;
   const double rate = 1 / now.dt;
   size_t k = 0;
+  aspi_copy(NONE, push);
+  aspi_copy(NONE, twist);
   for (Stepper *wall : walls) {
     const AtWall of = mover.at(*wall);
     std::vector<Rest> &rests = of.rests();
@@ -225,6 +229,8 @@ void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], cons
       for (int d = 0; d < 3; d++) {
         rest.push[d] = rate * support.p[d];
         rest.twist[d] *= rate;
+        push[d] += rest.push[d];
+        twist[d] += rest.twist[d];
       }
       add_load(mover, now.x, held[k], support, v, spin);
     }
@@ -357,20 +363,19 @@ static void balance(Stepper &wall, Bodies &bodies, int i) {
 }
 
 /* Adds what walls give a mover to the forces that act on it. */
-static void push(const Walls &walls, const Mover &mover, const Spheres &s) {
+static void add_push(const Mover &mover, const Spheres &s, const double push[3],
+                     const double twist[3]) {
   const size_t at = 3 * static_cast<size_t>(mover.i);
   const double radius = mover.sphere->radius;
-  double push[3], twist[3];
-  sum_pushes(walls, mover, push, twist);
   aspi_add_scaled(s.f + at, mover.mass, push, s.f + at);
   if (s.torque)
     aspi_add_scaled(s.torque + at, 0.4 * mover.mass * radius * radius, twist, s.torque + at);
 }
 
-static void push(const Walls &walls, const Mover &mover, Bodies &bodies) {
+static void add_push(const Mover &mover, Bodies &bodies, const double push[3],
+                     const double twist[3]) {
   Body &body = bodies.all[static_cast<size_t>(mover.i)];
-  double push[3], twist[3], torque[3];
-  sum_pushes(walls, mover, push, twist);
+  double torque[3];
   aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
   mover.momentum_of(twist, torque);
   aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
@@ -395,7 +400,7 @@ static void end_one(const Walls &walls, const Spheres &s, int i, Resting &restin
   aspi_copy(now.v, s.v + at);
   if (s.omega)
     aspi_copy(now.spin, s.omega + at);
-  push(walls, mover, s);
+  add_push(mover, s, resting.push, resting.twist);
 }
 
 static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting) {
@@ -418,7 +423,7 @@ static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting)
   aspi_copy(now.v, body.v);
   mover.momentum_of(now.spin, body.angular_momentum);
   aspi_scale(mover.mass, body.angular_momentum);
-  push(walls, mover, bodies);
+  add_push(mover, bodies, resting.push, resting.twist);
 }
 
 /* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
@@ -455,13 +460,20 @@ template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
               [&](const Walls &held_by, int i) { end_one(held_by, kind, i, resting); });
 }
 
+/* The mover that rests and its walls, of a set-up. */
+template <class Kind> static void push_one(const Walls &walls, const Mover &mover, Kind &kind) {
+  double push[3], twist[3];
+  sum_pushes(walls, mover, push, twist);
+  add_push(mover, kind, push, twist);
+}
+
 void asperity::push_again(const Walls &walls, const Spheres &s) {
-  for_resting(walls, s, [&](const Walls &held_by, int i) { push(held_by, Mover(s, i), s); });
+  for_resting(walls, s, [&](const Walls &held_by, int i) { push_one(held_by, Mover(s, i), s); });
 }
 
 void asperity::push_again(const Walls &walls, Bodies &bodies) {
   for_resting(walls, bodies, [&](const Walls &held_by, int i) {
-    push(held_by, Mover(bodies, static_cast<size_t>(i)), bodies);
+    push_one(held_by, Mover(bodies, static_cast<size_t>(i)), bodies);
   });
 }
 
