@@ -104,7 +104,7 @@ for script in bodies*.in; do
   timeout 100 "$bin/$simulator-asperity" -in script -log none > $script.screen 2>&1 < /dev/null || die "$script: $(tail -n 3 $script.screen)"
   table a=$script.screen '
 weight, pieces = a[-64][1], a[-63:] # of the first run, and the others, each with its set-up
-assert weight < 0 and all(row[1] == 0 or near(row[1], weight, 1e-4) for row in pieces), (weight, pieces)
+assert weight < 0 and all(row[1] == 0 or near(row[1], weight, 2e-2) for row in pieces), (weight, pieces)
 rate = (a[-64][2] - a[-74][2]) / 10
-assert near(a[-1][2] - a[-64][2], rate * (a[-1][0] - a[-64][0]), 1e-4)' || die "$script: bodies do not load the wall with their weight"
+assert near(a[-1][2] - a[-64][2], rate * (a[-1][0] - a[-64][0]), 2e-2)' || die "$script: bodies do not load the wall with their weight"
 done

@@ -405,14 +405,37 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
   return -1;
 }
 
+/* True if a sphere rests at the face that it touches, or at one in the plane of an edge ahead. */
+static bool rests_there(const Flight &flight, const Touch &touch) {
+  const Contact &contact = touch.contact;
+  const BodySphere &one = flight.mover.sphere[touch.sphere];
+  const AtWall of = flight.mover.at(*touch.wall);
+  if (of.rests_at(one.tag, touch.shape, contact.face))
+    return true;
+  for (const Rest &rest : of.rests()) {
+    Contact end = Contact();
+    double distance, tilt[3];
+    if (static_cast<int64_t>(rest.sphere) != one.tag ||
+        static_cast<size_t>(rest.shape) != touch.shape + 1 ||
+        !touch.wall->setup.shapes[touch.shape].shape->under(static_cast<int>(rest.face), contact.x,
+                                                            touch.before.v, 2 * one.radius, end,
+                                                            distance))
+      continue;
+    aspi_subtract(end.n, contact.n_end, tilt);
+    if (aspi_length(tilt) < ON_EDGES)
+      return true;
+  }
+  return false;
+}
+
 /* A sphere whose path ends at a face at which it rests, but for rounding, only slides along it:
- * then the path changes, and nothing else. */
+ * then the path that is searched changes, and nothing else. */
 static bool slides(Flight &flight, const Touch &touch) {
   const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
   const double closing = std::max(0.0, contact.closing);
-  if (!flight.mover.at(*touch.wall).rests_at(one.tag, touch.shape, contact.face) ||
-      !flight.is_led || closing * flight.path.left > ROUNDED * one.radius)
+  if (!flight.is_led || closing * flight.path.left > ROUNDED * one.radius ||
+      !rests_there(flight, touch))
     return false;
   aspi_add_scaled(flight.path.v, (1 + ROUNDING) * closing + EPSILON * aspi_length(touch.before.v),
                   contact.n_end, flight.path.v);
