@@ -189,6 +189,61 @@ static void walls_with_a_lay_are_surfaces(void **state) {
   setup_free(&s);
 }
 
+/* The wall of a map; NULL and a message where there is none. */
+static asp_wall *wall_of_map(const asp_heights *map, const char *words, asp_error *error) {
+  char text[200];
+  snprintf(text, sizeof text, "surface map wall %s rebound constant 1 1 deposit off", words);
+  asp_description *description = asp_description_parse(text, NULL, error);
+  assert_non_null(description);
+  assert_int_equal(asp_description_set_heights(description, map, error), ASP_OK);
+  asp_wall *wall = asp_wall_create(description, 1, 1, error);
+  asp_description_free(description);
+  return wall;
+}
+
+/* Elastic ridges push across their lay, whichever way they are met. */
+static void ridges_push_across_their_lay(void **state) {
+  (void)state;
+  const double step[2] = {0.2, 0.2}, lay[3] = {0.8, 0.6, 0};
+  asp_error error;
+  asp_heights *map = gauss_map_create(&(gauss_wall){0.2, 1, 12, 0.5}, step, 256, 256, 1, &error);
+  assert_non_null(map);
+  asp_wall *wall = wall_of_map(map, "lay 0.8 0.6 0 dp_bins 1", &error);
+  if (!wall)
+    fail_msg("%s", error.text);
+  const asp_particle grain = {.d_p = 1, .density = 1, .lay = lay};
+  double along = 0, across = 0;
+  for (uint64_t tag = 1; tag <= 2000; tag++) {
+    const double turn = 0.1 * (double)tag, v1[3] = {0.9 * cos(turn), 0.9 * sin(turn), -0.4};
+    asp_impact impact;
+    asp_wall_impact(wall, &grain, v1, up, &(asp_key){1, 1, tag, 1}, &impact);
+    const double x = impact.v2[0] - v1[0], y = impact.v2[1] - v1[1];
+    along += fabs(lay[0] * x + lay[1] * y);
+    across += fabs(lay[0] * y - lay[1] * x);
+  }
+  print_message("impulses along the lay over those across: %.3f\n", along / across);
+  assert_true(along < 0.2 * across);
+  asp_wall_free(wall);
+  asp_heights_free(map);
+}
+
+/* A map that is half as long again along its lay as across must say so. */
+static void maps_with_a_lay_need_its_direction(void **state) {
+  (void)state;
+  const double step[2] = {0.1, 0.1};
+  for (double along = 1; along < 2.5; along++) {
+    asp_error error;
+    asp_heights *map =
+        gauss_map_create(&(gauss_wall){0.05, 1, along, 0}, step, 256, 256, 1, &error);
+    assert_non_null(map);
+    asp_wall *wall = wall_of_map(map, "dp_bins 1", &error);
+    assert_int_equal(wall != NULL, along < 1.5);
+    assert_true(wall || strstr(error.text, "the wall has a lay"));
+    asp_wall_free(wall);
+    asp_heights_free(map);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(a_lay_has_no_sense),
@@ -198,6 +253,8 @@ int main(void) {
       cmocka_unit_test(grazing_spheres_meet_less_slope),
       cmocka_unit_test(lays_steer),
       cmocka_unit_test(walls_with_a_lay_are_surfaces),
+      cmocka_unit_test(ridges_push_across_their_lay),
+      cmocka_unit_test(maps_with_a_lay_need_its_direction),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

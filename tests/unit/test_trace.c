@@ -361,12 +361,38 @@ static void measured_profiles(void **state) {
   asp_heights_free(profile);
 }
 
+/* A plateau across a plain. A flight that sinks over the plain leaves the map again and again, and
+ * comes back over the plain: it never lands higher than it began. */
+static void flights_come_back_over_what_lies_below(void **state) {
+  (void)state;
+  enum { N = 32 };
+  static double z[N * N];
+  for (int i = 0; i < N * N; i++)
+    z[i] = i / N < 8 || i / N > 23 ? 0 : 10;
+  asp_heights *map = asp_heights_create(z, N, N, 1, 1, false, NULL);
+  const aspi_grid grid = {1, {0, 0}, {N, N}};
+  aspi_field field;
+  assert_int_equal(aspi_field_create(&field, map, 0, &grid, NULL), ASP_OK);
+  int landed = 0;
+  for (int k = 0; k < 200; k++) {
+    const double way[3] = {k % 2 ? 1 : -1, k % 4 < 2 ? 0.05 : -0.05, -0.01};
+    double gradient[2];
+    aspi_spot spot = {{0.15 * k + 0.5, 1 + 0.025 * k}, 5, false};
+    landed += aspi_field_next(&field, way, &spot, gradient);
+    assert_true(spot.z <= 5);
+  }
+  assert_int_equal(landed, 200);
+  aspi_field_free(&field);
+  asp_heights_free(map);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(first_hits_agree_with_brute_force),
       cmocka_unit_test(paths_agree_with_brute_force),
       cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
       cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
+      cmocka_unit_test(flights_come_back_over_what_lies_below),
       cmocka_unit_test(few_points_across_are_enough),
       cmocka_unit_test(few_points_across_judge_as_many),
       cmocka_unit_test(ensembles_agree_with_their_table),
