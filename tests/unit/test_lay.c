@@ -162,14 +162,14 @@ static void lays_steer(void **state) {
 static void walls_with_a_lay_are_surfaces(void **state) {
   (void)state;
   static const double cases[][3] = {{0, 10, 2}, {45, 10, 5}};
-  enum { N = 200000 };
+  enum { N = 70000 };
   setup s = setup_create(40, 200, "isotropic");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     double psi = cases[i][0] * DEGREE, d_p = cases[i][1], alpha1 = cases[i][2] * DEGREE;
     surfaces subject = {.wall = {5, 40, 200, psi},
                         .d_p = d_p,
-                        .groups = 3,
-                        .rays = 20000,
+                        .groups = 2,
+                        .rays = 7000,
                         .seed = 300,
                         .points = 1024};
     aspi_judge all;

@@ -161,7 +161,7 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   static const double angle[] = {2, 10, 30};
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
   aspi_judge_case subject = {
-      .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 200000, .groups = 8, .seed = 2};
+      .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 60000, .groups = 3, .seed = 2};
   aspi_judge judge;
   assert_int_equal(aspi_judge_create(&judge, &subject, angle, 3, NULL), ASP_OK);
   for (size_t i = 0; i < 3; i++) {
@@ -181,7 +181,7 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
 enum { ACROSS_FINE = 1024 };
 
 static asp_heights *plateau(double lambda_c, int across) {
-  enum { N = 1 << 18 };
+  enum { N = 1 << 17 };
   double r_q = lambda_c / 8;
   asp_heights *gauss = aspi_profile_generate(r_q, lambda_c, 1. / ACROSS_FINE, N, 3, NULL);
   size_t step = (size_t)(ACROSS_FINE / across), n = N / step;
@@ -284,7 +284,7 @@ static void few_points_across_judge_as_many(void **state) {
  * the mean tilt. */
 static void ensembles_agree_with_their_table(void **state) {
   (void)state;
-  enum { PROFILES = 6, POINTS = 2048 * 48, SLOPES = 9 };
+  enum { PROFILES = 3, POINTS = 2048 * 48, SLOPES = 9 };
   static const double kappas[] = {0, 0.3, 1.1, 3.1}, as[] = {0.12, 0.45, 1.3, 4};
   const asp_spread_model *model = asp_spread_find("profile", NULL);
   double *weight = malloc(POINTS * sizeof *weight), worst = 0, worst_mean = 0;
