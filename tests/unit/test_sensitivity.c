@@ -33,6 +33,7 @@ static void add(const asp_impact *impact, double weight, double mean[MEANS], dou
 }
 
 static void check_weights(const char *own, const char *other, double d_p, double degrees) {
+  print_message("%s\n", own);
   enum { N = 5000 };
   asp_wall *wall = wall_of(own);
   const asp_wall *others[] = {wall, wall_of(other)};
@@ -76,7 +77,17 @@ static void weights_give_the_other_wall(void **state) {
       {WALL("surface rq 2um lambda_c 40um spread truncated"),
        WALL("surface rq 2.2um lambda_c 40um spread truncated")},
       {WALL("surface rq 5um lambda_c 40um grain lever 0.05"),
-       WALL("surface rq 5.5um lambda_c 40um grain lever 0.05")}};
+       WALL("surface rq 5.5um lambda_c 40um grain lever 0.05")},
+      {WALL("surface rq 2um lambda_c 40um spread rejection"),
+       WALL("surface rq 2.2um lambda_c 40um spread rejection")},
+      {WALL("surface rq 2um lambda_c 40um spread effective"),
+       WALL("surface rq 2.2um lambda_c 40um spread effective")},
+      {WALL("surface rq 2um lambda_c 40um spread weibull"),
+       WALL("surface rq 2.2um lambda_c 40um spread weibull")},
+      {WALL("surface rq 2um lambda_c 40um spread multicollision"),
+       WALL("surface rq 2.2um lambda_c 40um spread multicollision")},
+      {WALL("surface rq 2um lambda_c 40um spread profile"),
+       WALL("surface rq 2.2um lambda_c 40um spread profile")}};
   for (size_t i = 0; i < sizeof walls / sizeof *walls; i++)
     for (int k = 0; k < 3; k++)
       check_weights(walls[i][0], walls[i][1], k == 2 ? 1e-4 : 1e-5, (const double[]){2, 15, 70}[k]);
