@@ -1,6 +1,6 @@
 /* Walls in a simulation against figures that no wall made: speeds of spheres that roll down rough
- * slopes, by the geometry of rolling.csv; bodies in a box, whose energy is shared as a gas has it,
- * however far they fly in a step. truth ROLLING.CSV
+ * slopes, by the geometry of rolling.csv; deposits that a flow removes; bodies in a box, whose
+ * energy is shared as a gas has it, however far they fly in a step. truth ROLLING.CSV
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
@@ -80,6 +80,37 @@ void roll(const char *path, const Row &row) {
     moving += speed > 0.1;
   }
   expect(std::string("rolling, ") + row.begin, mean / moving, d[6], 4 * d[7] + row.within * d[6]);
+}
+
+/* ---- removal ---- */
+
+/* Deposits that adhesion hardly holds leave as often as a burst comes, 0.00658 u_tau^2/nu (Reeks &
+ * Hall 2001): exponentially. */
+void remove() {
+  const int n = 1000;
+  const double u_tau = 0.01, viscosity = 1.5e-5, rate = 0.00658 * u_tau * u_tau / viscosity;
+  const double d = 1e-5, dt = 0.1;
+  char words[200];
+  snprintf(words, sizeof words,
+           "materials quartz deposit freeze remove u_tau %g gas_density 1.2 gas_viscosity %g "
+           "adhesion 1e-9 adhesion_spread 1",
+           u_tau, viscosity);
+  GrainsAtWall s(plane(2, 0), words, n, d / 2, dt);
+  s.engine.least = s.engine.most = d;
+  s.grains.mass.assign(n, 2650 * ASP_PI / 6 * d * d * d);
+  for (int i = 0; i < n; i++)
+    s.grains.put(static_cast<size_t>(i), {i * d, 0, d}, {0, 0, -0.01});
+  s.begin();
+  s.grains.fly(1);
+  expect("deposits", s.wall->stuck(), n, 0.1 * n);
+  const double first = s.wall->stuck();
+  for (int k = 1; k <= 2; k++) {
+    const int steps = static_cast<int>(lround(0.7 / (rate * dt)));
+    s.grains.fly(steps);
+    const double left = exp(-rate * dt * steps * k);
+    expect("deposits that are left", s.wall->stuck() / first, left,
+           4 * sqrt(left * (1 - left) / first));
+  }
 }
 
 /* ---- bodies ---- */
@@ -174,6 +205,7 @@ int main(int argc, char **argv) {
   MPI_Init(&argc, &argv);
   for (const Row &row : ROWS)
     roll(argv[1], row);
+  remove();
   box(10, 200, 20);
   box(100, 60, 4);
   MPI_Finalize();
