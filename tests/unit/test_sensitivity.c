@@ -33,7 +33,6 @@ static void add(const asp_impact *impact, double weight, double mean[MEANS], dou
 }
 
 static void check_weights(const char *own, const char *other, double d_p, double degrees) {
-  print_message("%s\n", own);
   enum { N = 5000 };
   asp_wall *wall = wall_of(own);
   const asp_wall *others[] = {wall, wall_of(other)};
@@ -84,8 +83,8 @@ static void weights_give_the_other_wall(void **state) {
        WALL("surface rq 2.2um lambda_c 40um spread effective")},
       {WALL("surface rq 2um lambda_c 40um spread weibull"),
        WALL("surface rq 2.2um lambda_c 40um spread weibull")},
-      {WALL("surface rq 2um lambda_c 40um spread multicollision"),
-       WALL("surface rq 2.2um lambda_c 40um spread multicollision")},
+      {WALL("surface rq 2um lambda_c 40um spread normal"),
+       WALL("surface rq 2.2um lambda_c 40um spread normal")},
       {WALL("surface rq 2um lambda_c 40um spread profile"),
        WALL("surface rq 2.2um lambda_c 40um spread profile")}};
   for (size_t i = 0; i < sizeof walls / sizeof *walls; i++)
