@@ -227,6 +227,18 @@ static void ridges_push_across_their_lay(void **state) {
   asp_heights_free(map);
 }
 
+/* A lay in words is a vector of length 1. */
+static void lays_have_unit_length(void **state) {
+  (void)state;
+  asp_description *words = asp_description_parse(
+      "surface rq 5um lambda_c 40um 80um lay 0 3 4 rebound constant 1 1", NULL, NULL);
+  assert_non_null(words);
+  const asp_lay lay = asp_description_lay(words);
+  assert_near(lay.vector[1], 0.6, 1e-15);
+  assert_near(lay.vector[2], 0.8, 1e-15);
+  asp_description_free(words);
+}
+
 /* A map that is half as long again along its lay as across must say so. */
 static void maps_with_a_lay_need_its_direction(void **state) {
   (void)state;
@@ -255,6 +267,7 @@ int main(void) {
       cmocka_unit_test(walls_with_a_lay_are_surfaces),
       cmocka_unit_test(ridges_push_across_their_lay),
       cmocka_unit_test(maps_with_a_lay_need_its_direction),
+      cmocka_unit_test(lays_have_unit_length),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -328,6 +328,22 @@ static void ensembles_agree_with_their_table(void **state) {
   free(weight);
 }
 
+/* A diameter a quarter of the way, on a scale of ratios, from one bin to the next takes that in a
+ * quarter of the draws. */
+static void sizes_in_between_are_shared(void **state) {
+  (void)state;
+  enum { N = 20000 };
+  const aspi_sizes sizes = {1, 16, 3};
+  double next = 0;
+  for (uint64_t tag = 1; tag <= N; tag++) {
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, tag, 1});
+    const int bin = aspi_sizes_draw(&sizes, pow(4, 1.25), &stream);
+    assert_true(bin == 1 || bin == 2);
+    next += bin == 2;
+  }
+  assert_near(next / N, 0.25, 4 * sqrt(0.25 * 0.75 / N));
+}
+
 static void bad_sizes_are_named(void **state) {
   (void)state;
   asp_error error;
@@ -396,6 +412,7 @@ int main(void) {
       cmocka_unit_test(few_points_across_are_enough),
       cmocka_unit_test(few_points_across_judge_as_many),
       cmocka_unit_test(ensembles_agree_with_their_table),
+      cmocka_unit_test(sizes_in_between_are_shared),
       cmocka_unit_test(bad_sizes_are_named),
       cmocka_unit_test(measured_profiles),
   };
