@@ -227,16 +227,22 @@ static void ridges_push_across_their_lay(void **state) {
   asp_heights_free(map);
 }
 
-/* A lay in words is a vector of length 1. */
+/* A lay in words is a vector of length 1, along any axis. */
 static void lays_have_unit_length(void **state) {
   (void)state;
-  asp_description *words = asp_description_parse(
-      "surface rq 5um lambda_c 40um 80um lay 0 3 4 rebound constant 1 1", NULL, NULL);
-  assert_non_null(words);
-  const asp_lay lay = asp_description_lay(words);
-  assert_near(lay.vector[1], 0.6, 1e-15);
-  assert_near(lay.vector[2], 0.8, 1e-15);
-  asp_description_free(words);
+  static const double lays[][3] = {{0, 3, 4}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  for (size_t i = 0; i < sizeof lays / sizeof *lays; i++) {
+    char text[100];
+    snprintf(text, sizeof text,
+             "surface rq 5um lambda_c 40um 80um lay %g %g %g rebound constant 1 1", lays[i][0],
+             lays[i][1], lays[i][2]);
+    asp_description *words = asp_description_parse(text, NULL, NULL);
+    assert_non_null(words);
+    const asp_lay lay = asp_description_lay(words);
+    for (int d = 0; d < 3; d++)
+      assert_near(lay.vector[d], lays[i][d] / (i ? 2 : 5), 1e-15);
+    asp_description_free(words);
+  }
 }
 
 /* A map that is half as long again along its lay as across must say so. */
