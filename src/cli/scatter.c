@@ -414,7 +414,8 @@ static aspi_scatter read(cli_scatter *t, bool measured) {
   bool plane = f.means || f.points || f.components;
   s.view = plane ? ASPI_IN_PLANE : f.ratios < ASPI_VIEWS ? f.ratios : f.velocities;
   read_rows(t, &f, measured, &s);
-  qsort(s.rows, s.count, sizeof *s.rows, by_place);
+  if (s.count > 0)
+    qsort(s.rows, s.count, sizeof *s.rows, by_place);
   return s;
 }
 

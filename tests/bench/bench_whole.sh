@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Whole loops: the jet of the flat plate, 20 164 grains, 2000 steps, 1 rank, with a wall over the same run without one;
 # this wall and the engines' own. The shortest of ten interleaved rounds each: other work on the machine makes rounds longer
-# only, and by up to a third. And the instructions of a grain that is stuck, in LAMMPS, under gravity.
+# only, and by up to a third.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 mkdir output
@@ -59,34 +59,3 @@ for which in lammps liggghts; do
     row "$what, over that without" "$(calc "$(least < "${which}_$wall.loop") / $(least < ${which}_none.loop)")" x ${limit:+"<=" "$limit"}
   done
 done
-
-[ -x "$bin/lammps-asperity" ] && command -v valgrind > /dev/null || exit 0
-stuck() { # STEPS [WALL]: instructions of 10 000 grains that have stuck to a plane, or fall without one
-  cat << END > stuck.in
-units si
-atom_style sphere
-boundary f f f
-newton off
-region box block 0 0.1 0 0.1 -0.001 0.01 units box
-create_box 2 box
-lattice sc 0.001
-region low block INF INF INF INF -0.0005 0.0005 units box
-create_atoms 1 region low
-set group all diameter 0.0004 density 2500
-displace_atoms all move 0 0 0.00020001 units box
-velocity all set 0 0 -0.01 units box
-neighbor 1e-4 bin
-neigh_modify exclude group all all
-fix move all nve/sphere
-fix fall all gravity 9.81 vector 0.3 0.2 -1
-${2:-}
-timestep 1e-6
-run $1
-END
-  valgrind --tool=callgrind --callgrind-out-file=counts --toggle-collect='LAMMPS_NS::Verlet::run(int)' "$bin/lammps-asperity" -in stuck.in -log none < /dev/null > stuck.screen 2>&1 ||
-    { tail -n 5 stuck.screen >&2; exit 1; }
-  awk '/Collected/ { print $NF }' stuck.screen
-}
-sticky='fix wall all wall/rebound zplane 0.0 type 2 materials quartz hastelloy-x surface_energy 1e9'
-row 'lammps, a stuck grain under gravity, a step of the wall' \
-  "$(calc "($(stuck 130 "$sticky") - $(stuck 30 "$sticky") - $(stuck 130) + $(stuck 30)) / 1e6")" instructions "<=" 120

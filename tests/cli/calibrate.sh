@@ -33,6 +33,11 @@ cut -d, -f1-5 means > unsure
 near sigma 8.05 6 fit; near friction 0.3 6 fit
 grep -q 'scaled by its root' fit || die "means without errors: $(cat fit)"
 
+# The scatter of two impacts each at 20 angles tells the sd of normal tilts as well as normal numbers do: sd/sqrt(2 (n - 1)) each.
+awk 'BEGIN { print "alpha1_deg,cor_n_mean,cor_n_sd,n"; for (a = 30; a < 50; a++) { t = a * atan2(0, -1) / 180; printf "%d,1,%.6f,2\n", a, 2 * atan2(0, -1) / 180 * cos(t) / sin(t) } }' > twos
+"$asperity" calibrate twos rebound constant 1 1 surface sigma fit spread normal plane collisions single --samples 4000 > fit 2> err
+awk -F, '$1 == "sigma" { found = $2 > 0.97 && $2 < 1.03 && $3 > 0.95 / sqrt(40) && $3 < 1.05 / sqrt(40) } END { exit !found }' fit || die "the scatter of two: $(cat fit)"
+
 # Oblique impacts of 5 mm alumina on a smooth glass wall (Kharaz et al. 2001) up to 60 degrees: mu is Coulomb's, 0.092.
 printf 'alpha1_deg,cor_t_mean\n30.16,0.9019\n40.45,0.8469\n50.70,0.7719\n59.78,0.6883\n' > kharaz
 "$asperity" calibrate kharaz rebound walton 0.98 fit=0.2 0 --speed 3.9m/s --dp 5mm > fit

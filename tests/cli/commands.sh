@@ -118,6 +118,7 @@ mean() { awk -F, -v k="$1" '{ s += $k } END { print s / NR }'; }
 a=$(cor surface sigma 10.026 --dp 4um | mean 8) b=$(cor surface rq 5um lambda_c 40um --dp 4um | mean 8)
 awk -v a="$a" -v b="$b" 'BEGIN { exit !(a / b > 0.999 && a / b < 1.001) }' || die "sigma: $a, by its numbers $b"
 [ "$(cor surface sigma 10 --dp 10um,20um --speed 50,100:120:10 | cut -d, -f1,2 | sort -u | wc -l)" = 8 ] || die "sizes x speeds"
+[ "$(cor surface sigma 10 --speed 0.2:0.5:0.1 | cut -d, -f2 | sort -u | xargs)" = "0.2 0.3 0.4 0.5" ] || die "the last step of a range"
 cor surface sigma 10 --speed lognormal:10:200:50 | awk -F, '{ if ($2 < 10 || $2 > 200) bad = 1; s += log($2) } END { m = exp(s / NR); exit bad || m < 42 || m > 58 }' || die "log-normal speeds"
 # Per angle mean, sd and capture share, of the same impacts.
 "$asperity" cor surface rq 5um lambda_c 40um --dp 1.6um --angles 5:85:20 --samples 300 > all

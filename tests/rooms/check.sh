@@ -58,9 +58,8 @@ comm -23 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUT
 cmp -s "$work/described" "$work/rooms" || bad=1
 
 # The test that calls every public function leaves none out.
-grep -oE '\basp_[a-z0-9_]+\(' "$src/asperity.h" | sort -u | while read -r function; do
-  grep -qF "$function" "$src/../tests/unit/test_api.c" || echo "$function"
-done > "$work/uncalled"
+functions() { grep -oE '\basp_[a-z0-9_]+\(' "$1" | sort -u; }
+comm -23 <(functions "$src/asperity.h") <(functions "$src/../tests/unit/test_api.c") > "$work/uncalled"
 [ ! -s "$work/uncalled" ] || say "tests/unit/test_api.c does not call $(paste -sd' ' "$work/uncalled")"
 
 looked=0
@@ -79,45 +78,40 @@ done < <(grep -rnoE '^#include +("[^"]*"|<[^>]*>)' --include='*.[ch]' --include=
   sed -E 's/^([^:]*):[0-9]*:#include +/\1:/; s/"//g')
 [ $looked -gt 100 ] || say "only $looked includes were found in $src"
 
-# The core's symbols: who defines them, and who uses them.
+# The symbols of the objects whose files are there: who defines them, and who uses them.
 if [ -n "$objects" ]; then
-  for room in "$objects"/*/; do
-    room=$(basename "$room")
-    for object in "$objects/$room"/*.o; do
-      [ -e "$src/$room/$(basename "$object" .o)" ] || continue # of a file that was moved
-      nm --defined-only -g "$object" | awk -v room="$room" 'NF == 3 { print $3, room }' >> "$work/defined"
-      nm -u "$object" | awk -v room="$room" -v file="$room/$(basename "$object" .o)" '{ print $2, room, file }' >> "$work/used"
-    done
-  done
+  build=${objects%/src/CMakeFiles/*}
+  symbols() { # SUFFIX [OPTION]: lines of folder of the objects, file, kind and symbol
+    find "$build/src/CMakeFiles" -path '*.dir/*' -name "*.$1.o" | while read -r object; do
+      path=${object##*.dir/}
+      [ ! -e "$src/${path%.o}" ] || echo "$object"
+    done | xargs nm -A -g ${2:-} | sed -nE 's|^.*/([^/]*\.dir)/([^:]*)\.o:[0-9a-f ]* ([A-Za-z]) (.*)|\1 \2 \3 \4|p'
+  }
+  symbols c > "$work/c"
+  symbols cpp -C > "$work/cpp"
+  [ "$(cut -d' ' -f 1,2 "$work/c" | sort -u | wc -l)" -gt 60 ] || say "few objects were found in $build"
+
+  # Of the core.
+  grep "^$(basename "$objects") " "$work/c" | awk -v work="$work" '{ room = $2; sub(/\/.*/, "", room) }
+    $3 ~ /[Uw]/ { print $4, room, $2 > (work "/used"); next } { print $4, room > (work "/defined") }'
   [ "$(wc -l < "$work/defined")" -gt 50 ] || say "few symbols were found in $objects"
   while read -r symbol room file other; do
     may_know "$room" "$other" || say "$file uses $symbol: $room must not know $other"
   done < <(join <(sort "$work/used") <(sort "$work/defined"))
 
-  build=${objects%/src/CMakeFiles/*}
-  objects_of() { # SUFFIX: of files that are there
-    find "$build/src/CMakeFiles" -path '*.dir/*' -name "*.$1.o" | while read -r object; do
-      path=${object##*.dir/}
-      [ ! -e "$src/${path%.o}" ] || echo "$object"
-    done
-  }
-  [ "$(objects_of c | wc -l)" -gt 60 ] || say "few objects were found in $build"
-
   # No two files of a room need each other, directly or through others.
   for room in base erosion readers spread rebound surface wall description contact analysis cli; do
-    objects_of c | grep -F ".dir/$room/" | xargs nm -A -g | awk '{ file = $1; sub(/.*\//, "", file); sub(/\.o:.*/, "", file)
-        if ($(NF - 1) == "U") uses[file " " $NF]; else of[$NF] = file }
-      END { for (u in uses) { split(u, w, " "); if (w[2] in of) print w[1], of[w[2]] } }' > "$work/uses"
+    awk -v room="$room/" 'index($2, room) != 1 { next } $3 == "U" { uses[$2 " " $4]; next } { of[$4] = $2 }
+      END { for (u in uses) { split(u, w, " "); if (w[2] in of) print w[1], of[w[2]] } }' "$work/c" > "$work/uses"
     tsort "$work/uses" > /dev/null 2> "$work/circle" || say "files of $room need each other: $(grep -v loop "$work/circle" | cut -d: -f2 | paste -sd' ')"
   done
 
   # Prefixes: what an object of C defines begins with asp_ or aspi_, in the command with cli_; what one of C++ defines is
   # in namespace asperity, or begins with aspi_ where it is found by name.
   # An engine's classes and the functions that it calls are named as it wants them.
-  objects_of c | xargs nm -A --defined-only -g | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); name = $NF
-      if (name !~ (file ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_")) print file, name }' | sort -u > "$work/astray"
-  objects_of cpp | xargs nm -A --defined-only -g -C | awk '{ file = $1; sub(/.*\.dir\//, "", file); sub(/\.o:.*/, "", file); kind = $2; sub(/^[^ ]* [^ ]* /, "")
-      if (kind ~ /[TDBR]/ && !/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS|Foam)::/ && !/^(main|lammpsplugin_init|aspi_.*)$/) print file, $0 }' |
+  awk '$3 !~ /[Uw]/ && $4 !~ ($2 ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_") { print $2, $4 }' "$work/c" | sort -u > "$work/astray"
+  awk '$3 ~ /[TDBR]/ { file = $2; sub(/^[^ ]* [^ ]* [^ ]* /, "")
+      if (!/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS|Foam)::/ && !/^(main|lammpsplugin_init|aspi_.*)$/) print file, $0 }' "$work/cpp" |
     sort -u >> "$work/astray"
   while read -r file symbol; do
     say "$file defines $symbol, which is neither asp_, aspi_ or cli_ as its room has it nor in namespace asperity"

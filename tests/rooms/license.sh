@@ -15,12 +15,9 @@ stated() { # whether dep5 names the file
   set +f
   return 1
 }
-bad=0 looked=0
 files() { git ls-files 2> /dev/null || find . -type f -not -path './.git*' -not -path './build*' -printf '%P\n'; }
-while read -r file; do
-  stated "$file" && continue
-  looked=$((looked + 1))
-  head -n 40 "$file" | grep -q 'SPDX-License-Identifier: ' || { echo "FAILED: $file does not say its license"; bad=1; }
-done < <(files)
-[ "$looked" -gt 100 ] || { echo "FAILED: only $looked files were looked at"; bad=1; }
-exit $bad
+mapfile -t looked < <(files | while read -r file; do stated "$file" || echo "$file"; done)
+[ ${#looked[@]} -gt 100 ] || { echo "FAILED: only ${#looked[@]} files were looked at"; exit 1; }
+bad=$(printf '%s\n' "${looked[@]}" | sort |
+  comm -13 <(grep -nHm 1 'SPDX-License-Identifier: ' "${looked[@]}" | awk -F: '$2 <= 40 { print $1 }' | sort) -)
+[ -z "$bad" ] || { sed 's/.*/FAILED: & does not say its license/' <<< "$bad"; exit 1; }

@@ -107,6 +107,7 @@ int main(int argc, char **argv) {
   expect("profile isotropic collisions multiple", false, 20, 0, 0.008);
   expect("multicollision isotropic", false, 20, 0, 0.012);
   expect("effective isotropic collisions multiple", false, 10, 0, 0.006);
+  expect("traced plane collisions multiple", true, 20, 0, 0.006);
   expect("visible plane collisions multiple", true, 20, 0, 0.006);
   expect("profile plane collisions multiple", true, 20, 0, 0.006);
   expect("truncated isotropic collisions multiple", false, 20, 0.07, 0.09);

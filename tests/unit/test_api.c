@@ -203,13 +203,13 @@ static void descriptions_and_walls(void **state) {
       "surface sigma 8 spread weibull plane collisions single erosion dnv density 7800 rebound "
       "constant 0.9 0.9",
       "surface profile no.csv dp_bins 2 rebound constant 0.9 0.9",
-      "surface profile no.csv spread traced rebound constant 0.9 0.9",
+      "surface profile no.csv dp_bins 2 spread traced rebound constant 0.9 0.9",
       "surface map no.sdf dp_bins 1 rebound constant 0.9 0.9",
       "deposit freeze remove gas_density 1.2 gas_viscosity 1.5e-5 u_tau 2",
       "friction 0.4 surface_energy 0.1 materials quartz"};
   const asp_units unknown = {NULL, 0, 0, 0};
   asp_error error;
-  enum { SIDE = 64 };
+  enum { SIDE = 32 };
   static double heights[SIDE * SIDE];
   for (int i = 0; i < SIDE * SIDE; i++)
     heights[i] = 1e-6 * sin(0.5 * (i % SIDE)) * cos(0.4 * i / SIDE);

@@ -82,6 +82,31 @@ static void contacts_lie_between_the_points(void **state) {
   asp_heights_free(map);
 }
 
+/* A sphere on a saddle z = c x y, which is its own parabola: its normal through the contact, from
+ * wherever that is, leads to the center. */
+static void saddles_turn_spheres(void **state) {
+  (void)state;
+  enum { N = 64, MIDDLE = 32 };
+  const double c = 0.02, r = 20;
+  double *z = aspi_allocate(N * N);
+  for (int j = 0; j < N; j++)
+    for (int i = 0; i < N; i++)
+      z[j * N + i] = c * (i - MIDDLE) * (j - MIDDLE);
+  asp_heights *map = aspi_heights_adopt(z, N, N, (const double[2]){1, 1}, false, NULL);
+  aspi_ball *ball = aspi_ball_create(map, 2 * r, NULL);
+  aspi_ball_search search = aspi_ball_begin(ball);
+  for (double u = -5; u < 5.1; u += 0.7)
+    for (double v = -5; v < 5.1; v += 0.9) {
+      const double p = c * v, q = c * u, up = r / sqrt(1 + p * p + q * q);
+      aspi_touch touch = aspi_ball_at(&search, MIDDLE + u - up * p, MIDDLE + v - up * q);
+      assert_near(touch.p, p, 1e-5);
+      assert_near(touch.q, q, 1e-5);
+      assert_near(touch.height, c * u * v + up, 1e-5);
+    }
+  aspi_ball_free(ball);
+  asp_heights_free(map);
+}
+
 static void generated_maps_have_their_covariance(void **state) {
   (void)state;
   enum { N = 1024 };
@@ -190,6 +215,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(spheres_rest_where_brute_force_says),
       cmocka_unit_test(contacts_lie_between_the_points),
+      cmocka_unit_test(saddles_turn_spheres),
       cmocka_unit_test(generated_maps_have_their_covariance),
       cmocka_unit_test(slopes_follow_the_formula),
       cmocka_unit_test(steep_slopes_are_off_the_law_as_stated),

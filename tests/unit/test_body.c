@@ -164,6 +164,24 @@ static vec in_small_steps(const asp_body *body, vec arm, vec m, vec u, double e,
   return impulse;
 }
 
+/* A body wears as the mass that meets the wall: of a dumbbell 1/(1 + q) of it. */
+static void bodies_wear_by_the_mass_that_hits(void **state) {
+  asp_wall *wall = wall_from("rebound walton 0.9 0.3 0 erosion dnv density 7800 deposit off");
+  const double v1[3] = {0, 0, -3};
+  const asp_key key = {1, 1, 1, 1};
+  asp_particle particle = {.d_p = D, .density = RHO};
+  asp_impact alone, impact;
+  asp_wall_impact(wall, &particle, v1, up, &key, &alone);
+  assert_true(alone.eroded > 0);
+  for (double theta = 0; theta < 1.6; theta += 0.2) {
+    asp_body body = dumbbell(theta);
+    particle.body = &body;
+    asp_wall_impact(wall, &particle, v1, up, &key, &impact);
+    assert_near(impact.eroded / alone.eroded, 1 / (1 + 5. / 7 * pow(cos(theta), 2)), 1e-12);
+  }
+  asp_wall_free(wall);
+}
+
 static void the_path_of_routh(void **state) {
   aspi_stream s = aspi_stream_begin(&(asp_key){5, 1, 1, 1});
   double worst = 0;
@@ -288,6 +306,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(dumbbells),
       cmocka_unit_test(a_sphere_is_a_body),
+      cmocka_unit_test(bodies_wear_by_the_mass_that_hits),
       cmocka_unit_test(the_path_of_routh),
       cmocka_unit_test(energy_and_momentum),
       cmocka_unit_test(sticks_as_a_whole),

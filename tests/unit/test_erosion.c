@@ -160,6 +160,21 @@ static void words_are_checked(void **state) {
   }
 }
 
+/* The density in the words goes before that of the wall's material, which serves without one. */
+static void density_is_that_of_the_wall(void **state) {
+  const double cosine = cos(60 * ASP_PI / 180), volume = 2500 / 4e9 * cosine * cosine / 3;
+  asp_error error;
+  asp_description *words = asp_description_parse("materials quartz 304-ss", NULL, &error);
+  assert_non_null(words);
+  const double density = asp_material_get(asp_description_material(words, 1), "density");
+  asp_description_free(words);
+  assert_true(density > 7000);
+  is_near(worn("erosion finnie 1GPa density 5000 materials quartz 304-ss", NULL, 50, 60, 1e-4, 1),
+          5000 * volume, 1e-12);
+  is_near(worn("erosion finnie 1GPa materials quartz 304-ss", NULL, 50, 60, 1e-4, 1),
+          density * volume, 1e-12);
+}
+
 /* The canonical text gives the same wall. */
 static void text_comes_back(void **state) {
   static const char *const texts[] = {
@@ -188,6 +203,7 @@ int main(void) {
       cmocka_unit_test(kinds_have_their_constants),
       cmocka_unit_test(units_do_not_matter),
       cmocka_unit_test(faces_wear_more_at_grazing),
+      cmocka_unit_test(density_is_that_of_the_wall),
       cmocka_unit_test(words_are_checked),
       cmocka_unit_test(text_comes_back),
   };

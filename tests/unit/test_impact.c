@@ -254,6 +254,68 @@ static void kinks_turn_by_both_sides(void **state) {
   setup_free(&s);
 }
 
+/* A particle pressed by a share b of what holds it on a crest, a sine of slope p, flies a parabola
+ * to that sine, in phases u = k x: 1 - cos u = b u^2/2, where it comes down with p |sin u - b u|.
+ * One that is pressed more stays. The law's first-hit slope is p, and no flight meets more. */
+static void loose_particles_fly_to_the_next_face(void **state) {
+  setup s = setup_create("visible", "constant", 0.02);
+  const double v = 10, v1[3] = {10, 0, 0}, k = sqrt(6);
+  asp_particle small = grain;
+  small.d_p = 1e-3;
+  for (uint64_t tag = 1; tag <= 300; tag++) {
+    const asp_key key = {1, 1, tag, 1};
+    asp_impact impact;
+    assert_true(asp_wall_impact_grazing(s.wall, &small, v1, up, 0, &key, &impact));
+    const double p = tan(impact.delta_alpha), holds = v * v * p * k;
+    for (double b = 0.9; b < 0.98; b += 0.03) {
+      double low = 0.1, high = ASP_PI; /* the flight is over the sine up to the phase */
+      for (int i = 0; i < 60; i++) {
+        const double u = 0.5 * (low + high);
+        *(1 - cos(u) > 0.5 * b * u * u ? &low : &high) = u;
+      }
+      assert_true(asp_wall_impact_grazing(s.wall, &small, v1, up, b * holds, &key, &impact));
+      assert_near(tan(impact.delta_alpha) / p, fabs(sin(low) - b * low), 0.02);
+    }
+    assert_true(asp_wall_impact_grazing(s.wall, &small, v1, up, 0.56 * holds, &key, &impact));
+    assert_near(tan(impact.delta_alpha) / p, 1, 1e-12);
+    assert_false(asp_wall_impact_grazing(s.wall, &small, v1, up, 1.001 * holds, &key, &impact));
+  }
+  setup_free(&s);
+}
+
+/* On a surface a trough is a kink where the Hessian of its heights, times the radius, has an
+ * eigenvalue over 1: of that along the way, a, with Rayleigh's law, that across, with the mean a/3
+ * and the variance 8/9, and the mixed one, with the variance 1/3. The share of kinks by quadrature;
+ * no pressed particle meets anything else. */
+static void kinks_of_surfaces_have_their_share(void **state) {
+  enum { N = 20000, CELLS = 400 };
+  setup s = setup_create("visible", "constant", 0.02);
+  s.choice.isotropic = true;
+  remake(&s);
+  const double v1[3] = {10, 0, 0};
+  for (double kappa = 0.3; kappa < 3; kappa *= 2) {
+    asp_particle of_size = grain;
+    of_size.d_p = kappa / asp_surface_kappa(s.surface, 1);
+    double met = 0, share = 0;
+    for (uint64_t tag = 1; tag <= N; tag++) {
+      asp_impact impact;
+      met += asp_wall_impact_grazing(s.wall, &of_size, v1, up, 1e9, &(asp_key){1, 1, tag, 1},
+                                     &impact) /
+             (double)N;
+    }
+    for (int i = 0; i < CELLS; i++)
+      for (int j = 0; j < CELLS; j++) {
+        const double a = 6 * (i + 0.5) / CELLS, y = 12 * (j + 0.5) / CELLS - 6;
+        const double density = a * exp(-a * a / 2) * exp(-y * y / 2) / sqrt(2 * ASP_PI);
+        const double room = (1 - kappa * a) * (1 - kappa * (a / 3 + sqrt(8) / 3 * y));
+        const double kink = kappa * a > 1 || room < 0 ? 1 : erfc(sqrt(1.5 * room) / kappa);
+        share += density * kink * (6. / CELLS) * (12. / CELLS);
+      }
+    assert_near(met, share, 0.015);
+  }
+  setup_free(&s);
+}
+
 /* A particle without a pair gets that of the wall; many impacts are as many single ones. */
 static void many_impacts_are_single_ones(void **state) {
   enum { N = 500 };
@@ -431,6 +493,8 @@ int main(void) {
       cmocka_unit_test(grazing_to_the_last_bit),
       cmocka_unit_test(faces_are_hit_or_not),
       cmocka_unit_test(kinks_turn_by_both_sides),
+      cmocka_unit_test(loose_particles_fly_to_the_next_face),
+      cmocka_unit_test(kinks_of_surfaces_have_their_share),
       cmocka_unit_test(many_impacts_are_single_ones),
       cmocka_unit_test(a_pair_is_needed),
       cmocka_unit_test(properties),

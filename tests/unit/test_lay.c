@@ -162,14 +162,14 @@ static void lays_steer(void **state) {
 static void walls_with_a_lay_are_surfaces(void **state) {
   (void)state;
   static const double cases[][3] = {{0, 10, 2}, {45, 10, 5}};
-  enum { N = 200000 };
+  enum { N = 70000 };
   setup s = setup_create(40, 200, "isotropic");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     double psi = cases[i][0] * DEGREE, d_p = cases[i][1], alpha1 = cases[i][2] * DEGREE;
     surfaces subject = {.wall = {5, 40, 200, psi},
                         .d_p = d_p,
-                        .groups = 3,
-                        .rays = 20000,
+                        .groups = 2,
+                        .rays = 7000,
                         .seed = 300,
                         .points = 1024};
     aspi_judge all;
@@ -189,6 +189,79 @@ static void walls_with_a_lay_are_surfaces(void **state) {
   setup_free(&s);
 }
 
+/* The wall of a map; NULL and a message where there is none. */
+static asp_wall *wall_of_map(const asp_heights *map, const char *words, asp_error *error) {
+  char text[200];
+  snprintf(text, sizeof text, "surface map wall %s rebound constant 1 1 deposit off", words);
+  asp_description *description = asp_description_parse(text, NULL, error);
+  assert_non_null(description);
+  assert_int_equal(asp_description_set_heights(description, map, error), ASP_OK);
+  asp_wall *wall = asp_wall_create(description, 1, 1, error);
+  asp_description_free(description);
+  return wall;
+}
+
+/* Elastic ridges push across their lay, whichever way they are met. */
+static void ridges_push_across_their_lay(void **state) {
+  (void)state;
+  const double step[2] = {0.2, 0.2}, lay[3] = {0.8, 0.6, 0};
+  asp_error error;
+  asp_heights *map = gauss_map_create(&(gauss_wall){0.2, 1, 12, 0.5}, step, 256, 256, 1, &error);
+  assert_non_null(map);
+  asp_wall *wall = wall_of_map(map, "lay 0.8 0.6 0 dp_bins 1", &error);
+  if (!wall)
+    fail_msg("%s", error.text);
+  const asp_particle grain = {.d_p = 1, .density = 1, .lay = lay};
+  double along = 0, across = 0;
+  for (uint64_t tag = 1; tag <= 2000; tag++) {
+    const double turn = 0.1 * (double)tag, v1[3] = {0.9 * cos(turn), 0.9 * sin(turn), -0.4};
+    asp_impact impact;
+    asp_wall_impact(wall, &grain, v1, up, &(asp_key){1, 1, tag, 1}, &impact);
+    const double x = impact.v2[0] - v1[0], y = impact.v2[1] - v1[1];
+    along += fabs(lay[0] * x + lay[1] * y);
+    across += fabs(lay[0] * y - lay[1] * x);
+  }
+  print_message("impulses along the lay over those across: %.3f\n", along / across);
+  assert_true(along < 0.2 * across);
+  asp_wall_free(wall);
+  asp_heights_free(map);
+}
+
+/* A lay in words is a vector of length 1, along any axis. */
+static void lays_have_unit_length(void **state) {
+  (void)state;
+  static const double lays[][3] = {{0, 3, 4}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  for (size_t i = 0; i < sizeof lays / sizeof *lays; i++) {
+    char text[100];
+    snprintf(text, sizeof text,
+             "surface rq 5um lambda_c 40um 80um lay %g %g %g rebound constant 1 1", lays[i][0],
+             lays[i][1], lays[i][2]);
+    asp_description *words = asp_description_parse(text, NULL, NULL);
+    assert_non_null(words);
+    const asp_lay lay = asp_description_lay(words);
+    for (int d = 0; d < 3; d++)
+      assert_near(lay.vector[d], lays[i][d] / (i ? 2 : 5), 1e-15);
+    asp_description_free(words);
+  }
+}
+
+/* A map that is half as long again along its lay as across must say so. */
+static void maps_with_a_lay_need_its_direction(void **state) {
+  (void)state;
+  const double step[2] = {0.1, 0.1};
+  for (double along = 1; along < 2.5; along++) {
+    asp_error error;
+    asp_heights *map =
+        gauss_map_create(&(gauss_wall){0.05, 1, along, 0}, step, 256, 256, 1, &error);
+    assert_non_null(map);
+    asp_wall *wall = wall_of_map(map, "dp_bins 1", &error);
+    assert_int_equal(wall != NULL, along < 1.5);
+    assert_true(wall || strstr(error.text, "the wall has a lay"));
+    asp_wall_free(wall);
+    asp_heights_free(map);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(a_lay_has_no_sense),
@@ -198,6 +271,9 @@ int main(void) {
       cmocka_unit_test(grazing_spheres_meet_less_slope),
       cmocka_unit_test(lays_steer),
       cmocka_unit_test(walls_with_a_lay_are_surfaces),
+      cmocka_unit_test(ridges_push_across_their_lay),
+      cmocka_unit_test(maps_with_a_lay_need_its_direction),
+      cmocka_unit_test(lays_have_unit_length),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -200,7 +200,7 @@ static int outcome_of(entry call, long first, long last) {
 }
 
 /* Most allocations of one entry point that are made to fail: all, or that many spread evenly. */
-enum { TRIED = 12 };
+static long most = 4;
 
 /* How often a failing allocation was reported; exits where it was not as it must be. Every second
  * one of a sample, and each of a few, fails alone; the others, and each of a few, with all after
@@ -211,7 +211,7 @@ static long try_all(const char *name, entry call) {
     exit(1);
   }
   long total = seen, told = 0;
-  long tries = total > TRIED ? TRIED : 2 * total;
+  long tries = total > most ? most : 2 * total;
   for (long k = 0; k < tries; k++) {
     long at = 1 + k * total / tries;
     fflush(NULL);
@@ -282,7 +282,8 @@ static void write_files(void) {
   fclose(table_file);
 }
 
-int main(void) {
+/* test_memory [MOST] */
+int main(int argc, char **argv) {
   static const struct {
     const char *name;
     entry call;
@@ -320,6 +321,8 @@ int main(void) {
   char folder[] = "/tmp/test_memory.XXXXXX", name[64];
   if (!mkdtemp(folder) || chdir(folder) != 0)
     return 1;
+  if (argc > 1)
+    most = atol(argv[1]);
   write_files();
   profile = aspi_profile_generate(1, 10, 1, 3000, 1, NULL);
   surface = asp_surface_create(1, 10, NULL);

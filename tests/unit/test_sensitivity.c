@@ -76,7 +76,17 @@ static void weights_give_the_other_wall(void **state) {
       {WALL("surface rq 2um lambda_c 40um spread truncated"),
        WALL("surface rq 2.2um lambda_c 40um spread truncated")},
       {WALL("surface rq 5um lambda_c 40um grain lever 0.05"),
-       WALL("surface rq 5.5um lambda_c 40um grain lever 0.05")}};
+       WALL("surface rq 5.5um lambda_c 40um grain lever 0.05")},
+      {WALL("surface rq 2um lambda_c 40um spread rejection"),
+       WALL("surface rq 2.2um lambda_c 40um spread rejection")},
+      {WALL("surface rq 2um lambda_c 40um spread effective"),
+       WALL("surface rq 2.2um lambda_c 40um spread effective")},
+      {WALL("surface rq 2um lambda_c 40um spread weibull"),
+       WALL("surface rq 2.2um lambda_c 40um spread weibull")},
+      {WALL("surface rq 2um lambda_c 40um spread normal"),
+       WALL("surface rq 2.2um lambda_c 40um spread normal")},
+      {WALL("surface rq 2um lambda_c 40um spread profile"),
+       WALL("surface rq 2.2um lambda_c 40um spread profile")}};
   for (size_t i = 0; i < sizeof walls / sizeof *walls; i++)
     for (int k = 0; k < 3; k++)
       check_weights(walls[i][0], walls[i][1], k == 2 ? 1e-4 : 1e-5, (const double[]){2, 15, 70}[k]);
@@ -142,7 +152,7 @@ static void walls_without_weights_are_refused(void **state) {
   (void)state;
   static const char *const walls[] = {
       "surface smooth", "surface rq 5um lambda_c 40um spread visible isotropic collisions single",
-      "surface rq 5um lambda_c 40um spread traced plane",
+      "surface rq 5um lambda_c 40um dp_bins 1 spread traced plane",
       "surface rq 5um lambda_c 40um spread visible plane"};
   asp_wall *own = wall_of(WALL("surface rq 5um lambda_c 40um"));
   const asp_particle grain = {.d_p = 1e-5, .density = 2650};

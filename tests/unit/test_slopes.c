@@ -91,9 +91,8 @@ static void size_law_is_that_of_the_geometry(void **state) {
   (void)state;
   static const struct {
     double phi_r, size, tolerance;
-  } cases[] = {{0.05, 1, 0.005}, {0.05, 20, 0.03},  {0.25, 1, 0.02},  {0.25, 6, 0.055},
-               {0.25, 36, 0.05}, {0.25, 147, 0.08}, {0.32, 3, 0.035}, {0.43, 1.2, 0.015},
-               {0.43, 5, 0.015}, {0.97, 1.2, 0.015}};
+  } cases[] = {{0.05, 20, 0.03},  {0.25, 1, 0.02},  {0.25, 6, 0.055},
+               {0.25, 147, 0.08}, {0.43, 5, 0.015}, {0.97, 1.2, 0.015}};
   enum { POINTS = 128 * 1024 };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     asp_heights *p = aspi_profile_generate(cases[i].phi_r, 1, 1. / 128, POINTS, 11, NULL);
@@ -172,13 +171,11 @@ static void sphere_law_is_that_of_the_geometry(void **state) {
   for (size_t i = 0; i < SIDE * SIDE; i++)
     z[i] *= scale;
   asp_surface *sphere = asp_surface_create(phi_r, 1, NULL);
-  static const double sizes[] = {4, 6};
-  for (int i = 0; i < 2; i++) {
-    double slope[2];
-    aspi_surface_sphere_slopes(sphere, sizes[i], slope);
-    double law = slope[0] / asp_surface_slope_rms(sphere);
-    assert_near(dilated_slope(z, sizes[i] * LAMBDA / 2) / slope_along_x(z), law, 0.04 * law);
-  }
+  const double size = 4;
+  double slope[2];
+  aspi_surface_sphere_slopes(sphere, size, slope);
+  double law = slope[0] / asp_surface_slope_rms(sphere);
+  assert_near(dilated_slope(z, size * LAMBDA / 2) / slope_along_x(z), law, 0.04 * law);
   asp_surface_free(sphere);
   free(half);
   free(z);

@@ -736,10 +736,10 @@ void new_sizes_need_new_tables(void **) {
   Alone engine;
   std::unique_ptr<Wall> wall = make_wall(
       engine, plane(2, 0),
-      "surface rq 0.05 lambda_c 1 dp_bins 2 spread traced rebound constant 1 1 deposit off");
-  const double sizes[][2] = {{1, 1}, {1, 4}, {2, 3}, {0.5, 4}, {0.5, 4}};
-  const int reports[] = {1, 2, 2, 3, 3};
-  for (int k = 0; k < 5; k++) {
+      "surface rq 0.05 lambda_c 1 dp_bins 1 spread traced rebound constant 1 1 deposit off");
+  const double sizes[][2] = {{1, 1}, {1, 4}, {2, 3}};
+  const int reports[] = {1, 2, 2};
+  for (int k = 0; k < 3; k++) {
     engine.least = sizes[k][0];
     engine.most = sizes[k][1];
     wall->init(k, 0.1);

@@ -161,7 +161,7 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
   static const double angle[] = {2, 10, 30};
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
   aspi_judge_case subject = {
-      .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 200000, .groups = 8, .seed = 2};
+      .r_q = 0.125, .lambda_c = 1, .d_p = 0.25, .rays = 60000, .groups = 3, .seed = 2};
   aspi_judge judge;
   assert_int_equal(aspi_judge_create(&judge, &subject, angle, 3, NULL), ASP_OK);
   for (size_t i = 0; i < 3; i++) {
@@ -181,7 +181,7 @@ static void rebounds_agree_with_an_independent_tracer(void **state) {
 enum { ACROSS_FINE = 1024 };
 
 static asp_heights *plateau(double lambda_c, int across) {
-  enum { N = 1 << 18 };
+  enum { N = 1 << 17 };
   double r_q = lambda_c / 8;
   asp_heights *gauss = aspi_profile_generate(r_q, lambda_c, 1. / ACROSS_FINE, N, 3, NULL);
   size_t step = (size_t)(ACROSS_FINE / across), n = N / step;
@@ -284,7 +284,7 @@ static void few_points_across_judge_as_many(void **state) {
  * the mean tilt. */
 static void ensembles_agree_with_their_table(void **state) {
   (void)state;
-  enum { PROFILES = 6, POINTS = 2048 * 48, SLOPES = 9 };
+  enum { PROFILES = 3, POINTS = 2048 * 48, SLOPES = 9 };
   static const double kappas[] = {0, 0.3, 1.1, 3.1}, as[] = {0.12, 0.45, 1.3, 4};
   const asp_spread_model *model = asp_spread_find("profile", NULL);
   double *weight = malloc(POINTS * sizeof *weight), worst = 0, worst_mean = 0;
@@ -328,6 +328,22 @@ static void ensembles_agree_with_their_table(void **state) {
   free(weight);
 }
 
+/* A diameter a quarter of the way, on a scale of ratios, from one bin to the next takes that in a
+ * quarter of the draws. */
+static void sizes_in_between_are_shared(void **state) {
+  (void)state;
+  enum { N = 20000 };
+  const aspi_sizes sizes = {1, 16, 3};
+  double next = 0;
+  for (uint64_t tag = 1; tag <= N; tag++) {
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, tag, 1});
+    const int bin = aspi_sizes_draw(&sizes, pow(4, 1.25), &stream);
+    assert_true(bin == 1 || bin == 2);
+    next += bin == 2;
+  }
+  assert_near(next / N, 0.25, 4 * sqrt(0.25 * 0.75 / N));
+}
+
 static void bad_sizes_are_named(void **state) {
   (void)state;
   asp_error error;
@@ -361,15 +377,42 @@ static void measured_profiles(void **state) {
   asp_heights_free(profile);
 }
 
+/* A plateau across a plain. A flight that sinks over the plain leaves the map again and again, and
+ * comes back over the plain: it never lands higher than it began. */
+static void flights_come_back_over_what_lies_below(void **state) {
+  (void)state;
+  enum { N = 32 };
+  static double z[N * N];
+  for (int i = 0; i < N * N; i++)
+    z[i] = i / N < 8 || i / N > 23 ? 0 : 10;
+  asp_heights *map = asp_heights_create(z, N, N, 1, 1, false, NULL);
+  const aspi_grid grid = {1, {0, 0}, {N, N}};
+  aspi_field field;
+  assert_int_equal(aspi_field_create(&field, map, 0, &grid, NULL), ASP_OK);
+  int landed = 0;
+  for (int k = 0; k < 200; k++) {
+    const double way[3] = {k % 2 ? 1 : -1, k % 4 < 2 ? 0.05 : -0.05, -0.01};
+    double gradient[2];
+    aspi_spot spot = {{0.15 * k + 0.5, 1 + 0.025 * k}, 5, false};
+    landed += aspi_field_next(&field, way, &spot, gradient);
+    assert_true(spot.z <= 5);
+  }
+  assert_int_equal(landed, 200);
+  aspi_field_free(&field);
+  asp_heights_free(map);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(first_hits_agree_with_brute_force),
       cmocka_unit_test(paths_agree_with_brute_force),
       cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
       cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
+      cmocka_unit_test(flights_come_back_over_what_lies_below),
       cmocka_unit_test(few_points_across_are_enough),
       cmocka_unit_test(few_points_across_judge_as_many),
       cmocka_unit_test(ensembles_agree_with_their_table),
+      cmocka_unit_test(sizes_in_between_are_shared),
       cmocka_unit_test(bad_sizes_are_named),
       cmocka_unit_test(measured_profiles),
   };

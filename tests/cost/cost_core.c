@@ -1,0 +1,154 @@
+/* Costs of the core: a contact with each kind of wall, a draw of each model, a disc that rolls over
+ * a profile, a description.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "count.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gauss_map.h"
+#include "spread/models.h"
+#include "surface/heights.h"
+#include "surface/rolling.h"
+#include "surface/slopes.h"
+
+enum { CONTACTS = 2000, DRAWS = 1000, PARSES = 20, POINTS = 100000 };
+
+static const double R_Q = 10e-6, LAMBDA_C = 100e-6, D_P = 20e-6;
+static const char ROUGH[] = "surface rq 10um lambda_c 100um materials quartz hastelloy-x";
+
+static void check(bool is_right, const asp_error *error) {
+  if (is_right)
+    return;
+  fprintf(stderr, "cost_core: %s\n", error->text);
+  exit(1);
+}
+
+/* Impact angles between 0 and 90 degrees, in no order. */
+static double angle(int i) {
+  return ((i * 389) % 1024 + 0.5) / 1024 * ASP_PI / 2;
+}
+
+/* ---- a contact ---- */
+
+static void contacts(const asp_wall *wall, int count) {
+  const asp_particle grain = {.d_p = D_P, .density = 2650};
+  const double n[3] = {0, 0, 1};
+  for (int i = 0; i < count; i++) {
+    const double v[3] = {100 * cos(angle(i)), 0, -100 * sin(angle(i))};
+    asp_impact impact;
+    count_on();
+    asp_wall_impact(wall, &grain, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+    count_off();
+  }
+}
+
+/* heights: of a measured wall, or NULL. */
+static void count_contacts(const char *what, const char *text, const asp_heights *heights) {
+  asp_error error;
+  asp_description *words = asp_description_parse(text, NULL, &error);
+  check(words && (!heights || !asp_description_set_heights(words, heights, &error)), &error);
+  asp_wall *wall = asp_wall_create(words, D_P, D_P, &error);
+  check(wall, &error);
+  count_begin();
+  contacts(wall, CONTACTS);
+  count_end(what, CONTACTS);
+  asp_wall_free(wall);
+  asp_description_free(words);
+}
+
+/* ---- a draw ---- */
+
+static void count_draws(const asp_spread_model *model, const aspi_relief *of) {
+  asp_error error;
+  const aspi_sizes sizes = {D_P, D_P, 1};
+  void *data = model->prepare ? model->prepare(of, &sizes, &error) : NULL;
+  check(data || !model->prepare, &error);
+  aspi_view view = aspi_view_of(atan(asp_surface_slope(of->surface, D_P)), 0);
+  view.d_p = D_P;
+  view.kappa = asp_surface_kappa(of->surface, D_P);
+  view.data = data;
+  count_begin();
+  for (int i = 0; i < DRAWS; i++) {
+    view.alpha1 = angle(i);
+    double delta;
+    count_on();
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, (uint64_t)i, 1});
+    aspi_spread_draw(model, &view, &stream, &delta);
+    count_off();
+  }
+  char what[40];
+  snprintf(what, sizeof what, "draw, %s", model->name);
+  count_end(what, DRAWS);
+  if (model->release)
+    model->release(data);
+}
+
+/* ---- a disc, a description ---- */
+
+static void count_profile(void) {
+  asp_error error;
+  asp_heights *wall = aspi_profile_generate(10, 100, 1, POINTS, 1, &error);
+  check(wall, &error);
+  count_begin();
+  count_on();
+  asp_heights *path = aspi_profile_rolled(wall, 200, 1, &error);
+  count_off();
+  count_end("disc over 1e5 points, a point", POINTS);
+  check(path, &error);
+  asp_heights_free(path);
+  aspi_slopes slopes;
+  count_begin();
+  count_on();
+  asp_code code = aspi_profile_describe_slopes(wall, 200, &slopes, &error);
+  count_off();
+  count_end("slopes of 1e5 points, a point", POINTS);
+  check(!code, &error);
+  asp_heights_free(wall);
+}
+
+static void count_parses(void) {
+  asp_error error;
+  count_begin();
+  for (int i = 0; i < PARSES; i++) {
+    count_on();
+    asp_description *words = asp_description_parse(ROUGH, NULL, &error);
+    count_off();
+    check(words, &error);
+    asp_description_free(words);
+  }
+  count_end("description, parsed", PARSES);
+}
+
+int main(void) {
+  asp_error error;
+  const gauss_wall gauss = {R_Q, LAMBDA_C, LAMBDA_C, 0};
+  const double step[2] = {LAMBDA_C / 10, LAMBDA_C / 10};
+  asp_surface *surface = asp_surface_create(R_Q, LAMBDA_C, &error);
+  check(surface, &error);
+  asp_heights *profile = aspi_profile_generate(R_Q, LAMBDA_C, LAMBDA_C / 20, 4096, 1, &error);
+  check(profile, &error);
+  asp_heights *map = gauss_map_create(&gauss, step, 128, 128, 1, &error);
+  check(map, &error);
+
+  count_contacts("contact, smooth", "materials quartz hastelloy-x", NULL);
+  count_contacts("contact, rough", ROUGH, NULL);
+  count_contacts("contact, as in the paper",
+                 "surface rq 10um lambda_c 100um spread weibull plane collisions single materials "
+                 "quartz hastelloy-x",
+                 NULL);
+  count_contacts("contact, measured profile", "surface profile wall materials quartz hastelloy-x",
+                 profile);
+  count_contacts("contact, map", "surface map wall materials quartz hastelloy-x", map);
+  for (int i = 1; i < asp_spread_count(); i++) /* behind `none` */
+    count_draws(asp_spread_at(i), &(aspi_relief){surface, NULL});
+  count_profile();
+  count_parses();
+
+  asp_heights_free(map);
+  asp_heights_free(profile);
+  asp_surface_free(surface);
+  return 0;
+}
