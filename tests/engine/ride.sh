@@ -36,7 +36,7 @@ region box block -0.05 0.05 -0.05 0.05 -0.01 0.06 units box
 create_box 1 box
 region funnel cone z 0 0 0.001 0.041 0 0.04 units box open 1 open 2
 fix wall all wall/rebound region funnel rebound constant 0.5 1 friction 0 deposit off
-create_atoms 1 single 0.01960 0 0.02001 units box
+create_atoms 1 single 0.0195957 0 0.02001 units box
 set atom 1 diameter 2e-3 density 2500
 velocity all set 0 0.5 0
 fix fall all gravity 9.81 vector 0 0 -1
