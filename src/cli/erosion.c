@@ -62,7 +62,7 @@ static void read_ledger(wear *w) {
                      w->law || i < 2 ? ""
                                      : "; a ledger has it with 'columns full', or state 'erosion "
                                        "LAW' behind it");
-  if (!w->law && *ledger.csv->comment && !strstr(ledger.csv->comment, " erosion "))
+  if (!w->law && *ledger.table->comment && !strstr(ledger.table->comment, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w->path);
   double of[SCATTER_COLUMNS];

@@ -33,7 +33,7 @@
 /* What stands before the name of the units in a ledger's comment. */
 #define UNITS "; units "
 
-/* Names as `plain` writes them; the first one is shown. */
+/* Plain names (aspi_plain); the first one is shown. */
 static const struct {
   const char *names, *kind;
   double least, most;
@@ -89,28 +89,6 @@ static const struct {
 };
 
 /* ---- names and units ---- */
-
-/* A name in small letters, the signs of units written out, all others as single underscores:
- * `alpha_1 [°]` is alpha_1_deg. */
-static void plain(const char *name, char *to, size_t size) {
-  static const char *const written[][2] = {
-      {"\xc2\xb0", "_deg"}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}, {"%", "_percent"}};
-  size_t n = 0;
-  while (*name && n + 10 < size) {
-    size_t i = 0, count = sizeof written / sizeof *written;
-    while (i < count && strncmp(name, written[i][0], strlen(written[i][0])) != 0)
-      i++;
-    const char other[] = {isalnum((unsigned char)*name) ? (char)tolower((unsigned char)*name) : '_',
-                          '\0'};
-    const char *as = i < count ? written[i][1] : other;
-    as += *as == '_' && (n == 0 || to[n - 1] == '_');
-    n += (size_t)sprintf(to + n, "%s", as);
-    name += i < count ? strlen(written[i][0]) : 1;
-  }
-  while (n > 0 && to[n - 1] == '_')
-    n--;
-  to[n] = '\0';
-}
 
 /* The column with the longest name that a plain name begins with, -1 where there is none, and what
  * stands behind it. */
@@ -168,8 +146,8 @@ static double ledger_unit(const char *comment, const char *kind) {
 
 /* The unit of a column by its name; exits where it is not read, or one is missing. */
 static double unit_of(const cli_scatter *t, int place, int column, double factor) {
-  const char *kind = columns[column].kind, *name = t->csv->names[place];
-  const char *path = t->csv->text.path;
+  const char *kind = columns[column].kind, *name = t->table->column[place].name;
+  const char *path = t->table->text.path;
   const int own = (int)strcspn(columns[column].names, " ");
   char list[120];
   aspi_quantity_units(kind, list, sizeof list);
@@ -179,7 +157,7 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
   if (factor > 0)
     return factor;
   if (t->is_ledger)
-    return ledger_unit(t->csv->comment, kind);
+    return ledger_unit(t->table->comment, kind);
   if (strcmp(kind, LENGTH) == 0)
     cli_bad_usage("%s: the unit of column '%s' is not stated; name it %.*s_um, _mm or _m", path,
                   name, own, columns[column].names);
@@ -192,24 +170,21 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
 
 cli_scatter cli_scatter_open(const char *path, int end) {
   asp_error error;
-  cli_scatter t = {.csv = aspi_csv_open(path, &error)};
-  cli_must(t.csv, &error);
-  t.is_ledger = strstr(t.csv->comment, UNITS) || aspi_csv_find(t.csv, "tilt_out_deg") >= 0;
+  cli_scatter t = {.table = aspi_table_open(NULL, path, 0, &error)};
+  cli_must(t.table, &error);
+  t.is_ledger = strstr(t.table->comment, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.at[c] = -1;
-  for (int i = 0; i < t.csv->columns; i++) {
-    char name[80], whole[200];
+  for (int i = 0; i < t.table->columns; i++) {
+    const aspi_column *column = &t.table->column[i];
     const char *rest;
-    snprintf(whole, sizeof whole, "%.90s %.90s", t.csv->names[i], t.csv->units[i]);
-    plain(whole, name, sizeof name);
-    int c = column_of(name, &rest);
-    bool stated = strpbrk(whole, "[(");
-    double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, stated) : -1;
+    int c = column_of(column->plain, &rest);
+    double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, column->bracketed) : -1;
     if (factor < 0)
       continue;
     if (t.at[c] >= 0)
       cli_bad_usage("%s: columns %d and %d, '%s' and '%s', are the same; there must be one", path,
-                    t.at[c] + 1, i + 1, t.csv->names[t.at[c]], t.csv->names[i]);
+                    t.at[c] + 1, i + 1, t.table->column[t.at[c]].name, t.table->column[i].name);
     t.at[c] = i;
     t.factor[c] = unit_of(&t, i, c, factor);
   }
@@ -222,11 +197,11 @@ void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
   snprintf(name, sizeof name, "%.*s", (int)strcspn(columns[column].names, " "),
            columns[column].names);
   if (t->at[column] < 0) {
-    aspi_csv_need(t->csv, name, &error);
+    aspi_table_need(t->table, name, &error);
     cli_bad_usage("%s%s", error.text, hint);
   }
   if (isnan(t->factor[column]))
-    cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->csv->text.path,
+    cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->table->text.path,
                   name);
   t->needed[column] = true;
 }
@@ -234,7 +209,7 @@ void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
 /* ---- rows ---- */
 
 /* Reads an outcome: a word, or the number of a ledger. */
-static double outcome_of(const aspi_csv *csv, const char *word) {
+static double outcome_of(const aspi_table *table, const char *word) {
   static const char *const words[] = {"rebound rebounded",
                                       "deposit deposited deleted stuck sticks"};
   char *end;
@@ -245,28 +220,28 @@ static double outcome_of(const aspi_csv *csv, const char *word) {
                   : aspi_word_index(words[i], word, strlen(word), false) >= 0)
       return i;
   cli_bad_usage("%s:%zu: outcome is '%.40s'; it must be rebound or deposit (or stuck, or 0 or 1)",
-                csv->text.path, csv->text.line, word);
+                table->text.path, table->text.line, word);
 }
 
 bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
   asp_error error;
   bool found, missing;
-  cli_must(!aspi_csv_row(t->csv, &found, &error), &error);
+  cli_must(!aspi_table_row(t->table, &found, &error), &error);
   for (int c = 0; c < SCATTER_COLUMNS; c++) {
     value[c] = NAN;
     if (!found || t->at[c] < 0)
       continue;
     double by = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
     if (c == OUTCOME)
-      value[c] = outcome_of(t->csv, t->csv->fields[t->at[c]]);
+      value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
     else
-      cli_must(!aspi_csv_number(t->csv, t->at[c], columns[c].least / by, columns[c].most / by,
-                                &value[c], t->needed[c] ? NULL : &missing, &error),
+      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / by, columns[c].most / by,
+                                  &value[c], t->needed[c] ? NULL : &missing, &error),
                &error);
     value[c] *= t->factor[c];
   }
   if (!found)
-    aspi_csv_close(t->csv);
+    aspi_table_close(t->table);
   return found;
 }
 
@@ -303,7 +278,7 @@ static form find_form(cli_scatter *t) {
                   "cor_v_plane,cor_alpha_plane (one camera), both alike of _space, or "
                   "v1_n,v1_t,v2_n,v2_t or cor_n,cor_t; means are "
                   "cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd",
-                  t->csv->text.path,
+                  t->table->text.path,
                   impacts ? "both impacts and means" : "neither impacts nor means");
   return f;
 }
@@ -357,14 +332,14 @@ static void add_row(aspi_scatter *s, aspi_scatter_row row) {
 }
 
 /* Mirrors a measured rebound that is below the wall at it, and exits if it is too fast. */
-static void mend(const aspi_csv *csv, aspi_scatter_row *row) {
+static void mend(const aspi_table *table, aspi_scatter_row *row) {
   double alpha = aspi_radians(row->degrees), n = row->cor[COR_N] * sin(alpha),
          t = row->cor[COR_T] * cos(alpha);
   double ratio = hypot(isnan(n) ? 0 : n, isnan(t) ? 0 : t);
   if (ratio > FASTER_MOST)
     cli_bad_usage("%s:%zu: at %g degrees the rebound is %g times as fast as the impact; correct or "
                   "remove it",
-                  csv->text.path, csv->text.line, row->degrees, ratio);
+                  table->text.path, table->text.line, row->degrees, ratio);
   row->cor[COR_N] = fabs(row->cor[COR_N]);
 }
 
@@ -379,7 +354,7 @@ static int by_place(const void *left, const void *right) {
 
 /* Reads the rows; warns of those that noise put below the wall, and of those that are left out. */
 static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
-  const char *path = t->csv->text.path;
+  const char *path = t->table->text.path;
   double v[SCATTER_COLUMNS];
   size_t below = 0, empty = 0;
   while (cli_scatter_row(t, v)) {
@@ -393,7 +368,7 @@ static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter
     s->has_size = s->has_size || isfinite(row.d_p);
     below += row.cor[COR_N] < 0;
     if (measured)
-      mend(t->csv, &row);
+      mend(t->table, &row);
     if (s->has_outcome || isfinite(row.cor[COR_N]) || isfinite(row.cor[COR_T]))
       add_row(s, row);
     else

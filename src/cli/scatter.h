@@ -6,7 +6,7 @@
 #define ASP_CLI_SCATTER_H
 
 #include "analysis/impacts.h"
-#include "base/csv.h"
+#include "base/table.h"
 #include "cli/cli.h"
 
 /* Columns. Those of a rebound's velocity are there once for each view: V2 + ASPI_IN_PLANE. Those
@@ -50,7 +50,7 @@ enum {
 /* A table that is read row by row; of each column its place in the file, -1 where there is none,
  * and its unit in SI (angles: degrees), NAN where it has no size, as in `units lj`. */
 typedef struct cli_scatter {
-  aspi_csv *csv;
+  aspi_table *table;
   bool is_ledger, needed[SCATTER_COLUMNS];
   int at[SCATTER_COLUMNS];
   double factor[SCATTER_COLUMNS];

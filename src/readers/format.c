@@ -21,24 +21,22 @@ static const struct {
               {"\x89HDF", "HDF5"}};
 
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error) {
-  enum { LOOKED_AT = 32 };
-  char begin[LOOKED_AT] = "";
-  int c = ' ';
-  for (size_t i = 0; i + 1 < sizeof begin && (c = aspi_text_character(text)) != EOF;)
-    if (i > 0 || !isspace(c))
-      begin[i++] = (char)c;
+  char begin[40] = "", *first = begin;
+  aspi_text_bytes(text, begin, sizeof begin - 1);
   asp_code code = aspi_text_rewind(text, error);
+  first += strncmp(begin, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+  first += strspn(first, " \t\r\n");
   for (size_t i = 0; i < sizeof closed / sizeof *closed && !code; i++)
-    if (strncmp(begin, closed[i].begins, strlen(closed[i].begins)) == 0)
+    if (strncmp(first, closed[i].begins, strlen(closed[i].begins)) == 0)
       code =
           aspi_fail(error, ASP_EDATA,
                     "%.200s: the format is %s, which is not read here; the free program Gwyddion "
                     "(gwyddion.net) opens that of an instrument, and saves it as SDF or as text",
                     text->path, closed[i].name);
   bool sdf =
-      *begin && (strncasecmp(begin + 1, "ISO-", 4) == 0 || strncasecmp(begin + 1, "BCR-", 4) == 0);
+      *first && (strncasecmp(first + 1, "ISO-", 4) == 0 || strncasecmp(first + 1, "BCR-", 4) == 0);
   *format = !sdf                                    ? ASP_FORMAT_TEXT
-            : tolower((unsigned char)*begin) == 'b' ? ASP_FORMAT_SDF_BINARY
+            : tolower((unsigned char)*first) == 'b' ? ASP_FORMAT_SDF_BINARY
                                                     : ASP_FORMAT_SDF_TEXT;
   return code;
 }

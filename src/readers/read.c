@@ -127,12 +127,16 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
   }
   if (!code)
     code = aspi_mend(&raw, path, options, report, error);
+  aspi_text_close(&text);
   if (file != stream)
     fclose(file);
   if (code) {
     free(raw.z);
     return NULL;
   }
+  if (*raw.note)
+    aspi_append(report->warnings, sizeof report->warnings, "%s%s", *report->warnings ? "; " : "",
+                raw.note);
   write_report(report, &raw, options);
   for (size_t i = 0; i < raw.points; i++)
     raw.z[i] *= options->meter;

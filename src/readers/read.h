@@ -81,6 +81,7 @@ typedef struct aspi_raw {
   int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
   size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
+  char note[160];               /* numbers of the file that were not read, or "" */
 } aspi_raw;
 
 /* Adds a height (m). */

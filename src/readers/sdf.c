@@ -50,7 +50,7 @@ static asp_code read_key(aspi_text *text, sdf *h, bool *ends, asp_error *error) 
   *equals = '\0';
   char *key = aspi_text_trim(line), *value = aspi_text_trim(equals + 1);
   double *place = place_of(h, key);
-  if (place && aspi_text_number(value, place) != ASP_WORD_NUMBER)
+  if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
     return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
                           value);
   return ASP_OK;
@@ -71,6 +71,7 @@ static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
     if (code)
       return code;
   }
+  text->rest = NULL; /* the star was read */
   return ASP_OK;
 }
 
@@ -130,15 +131,15 @@ static asp_code cut_short(const aspi_text *text, const char *what, asp_error *er
   return aspi_fail(error, ASP_EDATA, "%.200s: the file ends within its %s", text->path, what);
 }
 
-static asp_code read_binary_header(const aspi_text *text, sdf *h, asp_error *error) {
+static asp_code read_binary_header(aspi_text *text, sdf *h, asp_error *error) {
   unsigned char head[96];
   size_t width = 2, at = 8 + 10 + 12 + 12;
-  if (fread(head, 1, 8, text->stream) != 8)
+  if (aspi_text_bytes(text, head, 8) != 8)
     return cut_short(text, "header", error);
   if (memcmp(head + 1, "ISO-2", 5) == 0)
     width = 4;
   size_t length = at + 2 * width + 4 * 8 + 3;
-  if (fread(head + 8, 1, length - 8, text->stream) != length - 8)
+  if (aspi_text_bytes(text, head + 8, length - 8) != length - 8)
     return cut_short(text, "header", error);
   const unsigned char *scales = head + at + 2 * width;
   *h = (sdf){.points = (double)whole(head + at, (int)width),
@@ -159,33 +160,32 @@ static asp_code read_height(aspi_text *text, const sdf *h, size_t index, double 
   if (h->type >= 0) {
     unsigned char bytes[8];
     size_t size = (size_t)size_of[h->type];
-    if (fread(bytes, 1, size, text->stream) != size)
+    if (aspi_text_bytes(text, bytes, size) != size)
       return cut_short(text, "heights", error);
     *height = height_of(bytes, h->type);
     return ASP_OK;
   }
-  bool found;
-  asp_code code = aspi_text_word(text, &found, error);
+  char *word;
+  asp_code code = aspi_text_word(text, &word, error);
   if (code)
     return code;
-  if (!found || strcmp(text->text, "*") == 0)
+  if (!word || strcmp(word, "*") == 0)
     return aspi_text_fail(text, text->line, error,
                           "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f",
                           index, h->points, h->profiles);
-  if (aspi_text_number(text->text, height) == ASP_WORD_OTHER)
-    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected",
-                          text->text);
+  if (aspi_text_number(word, false, height) == ASP_WORD_OTHER)
+    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected", word);
   return ASP_OK;
 }
 
 /* The star behind the heights in ASCII. */
 static asp_code read_end(aspi_text *text, const sdf *h, asp_error *error) {
-  bool found = false;
-  asp_code code = h->type < 0 ? aspi_text_word(text, &found, error) : ASP_OK;
-  if (!code && found && text->text[0] != '*')
+  char *word = NULL;
+  asp_code code = h->type < 0 ? aspi_text_word(text, &word, error) : ASP_OK;
+  if (!code && word && *word != '*')
     code = aspi_text_fail(text, text->line, error,
                           "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
-                          text->text, h->points, h->profiles);
+                          word, h->points, h->profiles);
   return code;
 }
 
