@@ -382,7 +382,7 @@ static void bad_files_are_refused(void **state) {
     const char *text, *words;
   } all[] = {
       {"", "ends without a line"},
-      {"DIGITAL SURF", "the free program Gwyddion"},
+      {"DSCOMPRESSED", "the free program Gwyddion"},
       {"PK\x03\x04", "a zip (X3P"},
       {"bISO-1.0 x", "ends within its header"},
       {"aISO-1.0\nNumPoints = 2\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
