@@ -74,45 +74,41 @@ static void vote(tally *t, const tally *line) {
 /* Looks at a line of numbers alone, or of other text with digits in it. */
 static void look(tally *numbers, tally *others, const char *c, const char *end) {
   tally line = {.fields = {1, 1, 1, 0}};
-  size_t pending[SEPARATORS] = {0};
+  int indent = (int)strspn(c, "\t");
   bool quoted = false, words = false, digits = false, blank = true;
   char last = ' ';
   run r = {0};
   for (; c < end; c++) {
-    bool is_digit = *c >= '0' && *c <= '9', is_blank = *c == ' ' || *c == '\t';
+    bool is_digit = *c >= '0' && *c <= '9';
+    if (is_digit && r.tail > 0) { /* most characters */
+      r.tail++;
+      continue;
+    }
     if (is_digit || *c == '.' || *c == ',')
       take_character(&r, *c);
     else if (r.head + r.tail + r.commas + r.points > 0)
       end_run(&line, &r, quoted);
     quoted ^= *c == '"';
-    int mark = quoted || is_digit ? BLANK
-               : *c == ';'        ? SEMICOLON
-               : *c == '\t'       ? TAB
-               : *c == ','        ? COMMA
-                                  : BLANK;
-    if (mark < BLANK) {
-      line.fields[mark]++;
-      pending[mark] += last != ' ';
-    }
-    blank = blank || (is_blank && !quoted);
-    if (is_blank || mark == SEMICOLON)
+    if (*c == ',' && !quoted)
+      line.fields[COMMA]++;
+    if (*c == ' ' || *c == '\t' || *c == ';') {
+      blank = blank || (*c != ';' && !quoted);
+      line.fields[*c == ';' ? SEMICOLON : TAB] += !quoted && *c != ' ';
       continue;
-    for (int k = 0; k < BLANK; k++)
-      if (k != mark) {
-        line.with[k] += pending[k];
-        pending[k] = 0;
-      }
+    }
     if (blank) {
       line.fields[BLANK]++;
-      line.gaps += isdigit((unsigned char)last) && (is_digit || strchr("+-.", *c));
+      line.gaps += isdigit((unsigned char)last) && (is_digit || *c == '-' || *c == '.');
     }
     blank = false;
     digits = digits || is_digit;
-    bool exponent = strchr("eEdD", *c) && (isdigit((unsigned char)last) || last == '.');
-    words = words || (!exponent && (isalpha((unsigned char)*c) || (unsigned char)*c >= 0x80));
+    if (isalpha((unsigned char)*c) || (unsigned char)*c >= 0x80)
+      words = words || !strchr("eEdD", *c) || (!isdigit((unsigned char)last) && last != '.');
     last = *c;
   }
   end_run(&line, &r, quoted);
+  for (int k = 0; k < BLANK; k++)
+    line.with[k] = (size_t)(line.fields[k] - 1 - (k == TAB ? indent : 0));
   if (digits)
     vote(words ? others : numbers, &line);
 }

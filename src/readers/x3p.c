@@ -160,7 +160,7 @@ asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, asp
   zip_file_t *main = archive ? find(archive, "main.xml") : NULL;
   asp_code code = ASP_OK;
   if (!x.heights || !archive)
-    code = aspi_fail(error, ASP_EFILE, "%.200s: this zip cannot be opened", text->path);
+    code = aspi_fail(error, ASP_EFILE, "%.200s: binary, a zip that cannot be opened", text->path);
   else if (!main)
     code = aspi_fail(error, ASP_EDATA,
                      "%.200s: binary, a zip that is no X3P; save a spreadsheet as CSV; the free "
