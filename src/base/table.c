@@ -132,6 +132,7 @@ static asp_code take_survey(aspi_table *t, asp_error *error) {
   while (!(code = aspi_text_line(&t->text, &found, error)) && found) {
     const char *c = t->text.text, *end = c + t->text.length;
     const char *first = c + strspn(c, " \t"), *tag = *first == '<' ? strchr(first, '>') : NULL;
+    t->tagged = t->tagged || (tag && t->text.line == 1);
     if (*first != '#')
       look(&numbers, &others, tag ? tag + 1 : c, end);
   }
@@ -223,7 +224,7 @@ asp_code aspi_table_line(aspi_table *t, bool *found, asp_error *error) {
     bool empty = !*first && (t->separator == ' ' || !memchr(text, t->separator, t->text.length));
     if (empty || (*first == '#' && t->start > 0 && t->text.line >= t->start))
       continue;
-    if (memchr(text, '<', t->text.length))
+    if (t->tagged)
       take_off_tags(t);
     return cut(t, error);
   }
@@ -311,7 +312,7 @@ static asp_code read_header(aspi_table *t, asp_error *error) {
         (code = add_header(t, error)))
       break;
   }
-  if (!code && t->start > 0 && memchr(t->text.text, '<', t->text.length))
+  if (!code && t->start > 0 && t->tagged)
     take_off_tags(t);
   return code;
 }
@@ -427,6 +428,14 @@ static asp_code take_names(aspi_table *t, int least, asp_error *error) {
     if (!units)
       break;
   }
+  if (!code && t->columns == 0 && least == 0 && due > 0) {
+    t->nameless = true;
+    t->columns = due;
+    if (!(t->column = calloc((size_t)due, sizeof *t->column)))
+      return fail_memory(t, error);
+    for (int i = 0; i < due; i++)
+      t->column[i].name = "";
+  }
   return code;
 }
 
@@ -491,7 +500,7 @@ void aspi_table_close(aspi_table *t) {
 
 asp_code aspi_table_row(aspi_table *t, bool *found, asp_error *error) {
   asp_code code = aspi_table_line(t, found, error);
-  if (code || !*found || t->columns == 0)
+  if (code || !*found)
     return code;
   if (t->all == t->columns || (t->count <= t->columns && t->all > t->columns))
     return ASP_OK;
@@ -516,7 +525,7 @@ int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
   char list[240] = "";
   for (int i = 0; i < t->columns; i++)
     aspi_append(list, sizeof list, " %s", t->column[i].name);
-  if (t->columns == 0)
+  if (t->nameless)
     aspi_text_fail(&t->text, t->text.line, error,
                    "'%.40s' stands where a column name is expected; the line above the first "
                    "numbers must name the columns",

@@ -35,6 +35,8 @@ typedef struct aspi_table {
   char comment[ASP_COMMENT_MOST]; /* the first one, or "" */
   char *header;                   /* its lines, each with LF */
   size_t header_length, header_room;
+  bool tagged;                     /* the first line begins with a tag, as in XML */
+  bool nameless;                   /* there are no names; they are "" */
   bool header_is_comment, has_row; /* all of it; the row at hand is not taken yet */
   char *line[2];                   /* copies of the lines that the names are in */
   int columns;                     /* names */
