@@ -559,7 +559,8 @@ static const char *behind(const char *line, const char *key, size_t length) {
   while (*line != '\n' && !isalnum((unsigned char)*line) && (unsigned char)*line < 0x80)
     line++;
   for (size_t i = 0; i < length; i++)
-    if (key[i] == ' ' ? strspn(line, blanks) == 0 : tolower((unsigned char)*line) != key[i])
+    if (key[i] == ' ' ? strspn(line, blanks) == 0
+                      : tolower((unsigned char)*line) != (unsigned char)key[i])
       return NULL;
     else
       line += key[i] == ' ' ? strspn(line, blanks) : 1;

@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "base/table.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "readers/points.h"
 
@@ -21,13 +22,14 @@ enum { ROWS_LEAST = 3 };
 /* Axes of a matrix are even but for this part of their step. */
 #define UNEVEN 1e-3
 
-/* Keys of a header, in English, German and French. */
+/* Keys of a header, in English, German and French. Those of SPIP, ESRI and softgauges are as public
+ * files have them; Gwyddion's German and French words for the unit were not seen in a file. */
 static const char key_width[] = "width|breite|largeur|x length",
                   key_height[] = "height|h\xC3\xB6he|h\xF6he|hoehe|hauteur|y length",
                   key_spacing[] = "spacing|x spacing|pixel size|cellsize|pitch|point spacing|"
                                   "sampling interval|teilung|punktabstand|pas",
                   key_unit[] = "value units|z unit|exported image units|units|werteinheiten|"
-                               "einheiten der werte|werteinheit|einheit|unit\xC3\xA9s|unit\xE9",
+                               "einheiten der werte|werteinheit|einheit|unit\xC3\xA9s|unit\xE9s",
                   key_factor[] = "height conversion factor",
                   key_count[] = "numpoints|number of points|datenanzahl|anzahl punkte|"
                                 "nombre de points",
@@ -186,7 +188,7 @@ static asp_code find_units(reader *r, asp_error *error) {
     double own = k < Z ? o->unit_x : o->unit_z, factor = k == Z ? length_of(r, key_factor, 1) : 0;
     const aspi_column *c = at >= 0 && at < r->table->columns ? &r->table->column[at] : NULL;
     double unit = own > 0 ? own : c && unit_in(c) > 0 ? unit_in(c) : factor;
-    r->unit[k] = unit > 0 ? unit : k < Z && at < 0 ? 1 : length_of(r, key_unit, 1);
+    r->unit[k] = k < Z && at < 0 ? 1 : unit > 0 ? unit : length_of(r, key_unit, 1);
     if (!(r->unit[k] > 0) && r->column[Z] < 0)
       return fail(r, error,
                   "no unit of the heights is stated before the first numbers; say which unit of "
@@ -399,7 +401,7 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
 static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
   size_t skip = 0;
   for (size_t i = 0; i < 2 && i + ROWS_LEAST < p->count && skip == 0; i++)
-    if (fabs(p->list[i].z / r->unit[Z] - (double)(p->count - i - 1)) <= 0)
+    if (fabs(p->list[i].z / r->unit[Z] - (double)(p->count - i - 1)) < ASPI_ROUNDING_TEXT)
       skip = i + 1;
   if (skip > 1)
     snprintf(raw->note, sizeof raw->note, "line %zu, above a count of the points, is left out",
