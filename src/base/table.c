@@ -306,14 +306,16 @@ static asp_code read_header(aspi_table *t, asp_error *error) {
          (t->start == 0 || t->text.line < t->start)) {
     bool comment = t->text.text[strspn(t->text.text, " \t")] == '#';
     t->header_is_comment = t->header_is_comment && (comment || aspi_text_blank(t->text.text));
-    if (comment && !*t->comment)
-      snprintf(t->comment, sizeof t->comment, "%s", t->text.text + strspn(t->text.text, " \t"));
+    if (comment && !t->comment && !(t->comment = strdup(strchr(t->text.text, '#'))))
+      return fail_memory(t, error);
     if (!aspi_text_blank(t->text.text) && !(t->forced && t->text.line == 1) &&
         (code = add_header(t, error)))
       break;
   }
   if (!code && t->start > 0 && t->tagged)
     take_off_tags(t);
+  if (!code && !t->comment && !(t->comment = calloc(1, 1)))
+    code = fail_memory(t, error);
   return code;
 }
 
@@ -492,6 +494,7 @@ void aspi_table_close(aspi_table *t) {
   free(t->line[1]);
   free(t->column);
   free(t->header);
+  free(t->comment);
   free(t->fields);
   free(t);
 }

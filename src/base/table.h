@@ -11,8 +11,8 @@
 
 #include "base/text.h"
 
-/* Plain names, and the comment that is kept, have at most so many characters. */
-enum { ASP_PLAIN_MOST = 80, ASP_COMMENT_MOST = 4096 };
+/* Plain names have fewer characters. */
+enum { ASP_PLAIN_MOST = 80 };
 
 typedef struct aspi_column {
   const char *name; /* as the file has it */
@@ -32,8 +32,8 @@ typedef struct aspi_table {
   char **fields;
   int room;
   size_t start, rows; /* the line of the first row; of those that were taken, for the caller */
-  char comment[ASP_COMMENT_MOST]; /* the first one, or "" */
-  char *header;                   /* its lines, each with LF */
+  char *comment;      /* the first one, however long, or NULL */
+  char *header;       /* its lines, each with LF */
   size_t header_length, header_room;
   bool tagged;                     /* the first line begins with a tag, as in XML */
   bool nameless;                   /* there are no names; they are "" */
