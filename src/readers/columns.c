@@ -57,6 +57,7 @@ typedef struct reader {
   int column[AXES];                 /* from 0, -1 where there is none; of a matrix Z is -1 */
   double unit[3];                   /* m; < 0 for depths */
   double step[2];                   /* m, as the user or the file states it; 0: it is not stated */
+  double value[3];                  /* of the row at hand in those columns, not in a matrix */
   int due;                          /* fields of a row */
   size_t stated;                    /* rows by the header, 0: it does not say */
   size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
@@ -249,7 +250,7 @@ static asp_code choose_map(reader *r, asp_error *error) {
 /* ---- rows ---- */
 
 /* Kind of a field that must be there, of a height one that may be missing. */
-static bool fits(const reader *r) {
+static bool fits(reader *r) {
   const aspi_table *t = r->table;
   double value;
   bool good = t->count > 0, matrix = r->column[Z] < 0;
@@ -257,7 +258,8 @@ static bool fits(const reader *r) {
     good = aspi_table_field(t, i, &value) != ASP_WORD_OTHER;
   for (int k = X; k <= Z && !matrix && good; k++) {
     int at = r->column[k];
-    aspi_word word = at >= 0 && at < t->all ? aspi_table_field(t, at, &value) : ASP_WORD_OTHER;
+    aspi_word word =
+        at >= 0 && at < t->all ? aspi_table_field(t, at, &r->value[k]) : ASP_WORD_OTHER;
     good = at < 0 || word == ASP_WORD_NUMBER || (k == Z && word == ASP_WORD_MISSING);
   }
   return good;
@@ -283,15 +285,11 @@ static bool show(const aspi_table *t, char *shown, size_t size) {
   return digits;
 }
 
-/* Checks the row at hand. */
-static asp_code check(const reader *r, asp_error *error) {
+/* Checks the number of fields of the row at hand. */
+static asp_code check_count(const reader *r, asp_error *error) {
   const aspi_table *t = r->table;
-  char shown[48];
   bool matrix = r->column[Z] < 0, comma = t->separator == ',';
   int count = t->all >= r->due && t->count < r->due ? r->due : t->count;
-  show(t, shown, sizeof shown);
-  if (!fits(r))
-    return fail_line(r, t->text.line, shown, error);
   if (count > r->due || (matrix && count < r->due))
     return aspi_text_fail(&t->text, t->text.line, error,
                           "%d fields, the first line of numbers has %d%s", count, r->due,
@@ -313,10 +311,11 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
   asp_code code;
   while (!(code = aspi_table_line(t, found, error)) && *found) {
     bool full = r->stated > 0 && t->rows >= r->stated;
-    bool good = fits(r), first = aspi_table_field(t, 0, &value) == ASP_WORD_NUMBER;
+    bool good = fits(r),
+         first = (other || !good) && aspi_table_field(t, 0, &value) == ASP_WORD_NUMBER;
     if (good && !other) {
       t->rows++;
-      return check(r, error);
+      return check_count(r, error);
     }
     bool digits = show(t, other ? shown : first_shown, sizeof shown);
     if (!full && (other ? good && first : first || t->rows < ROWS_LEAST))
@@ -338,7 +337,8 @@ static double number_at(const reader *r, int column) {
 /* The height in a column in m; notes where it is bad. */
 static double height_at(reader *r, int column, aspi_raw *raw) {
   size_t line = r->table->text.line;
-  double z = aspi_missing_note(&r->missing, number_at(r, column), line);
+  double z =
+      aspi_missing_note(&r->missing, r->column[Z] < 0 ? number_at(r, column) : r->value[Z], line);
   if (r->column[VALID] >= 0 && fabs(number_at(r, r->column[VALID])) <= 0)
     z = NAN;
   if (isnan(z) && raw->bad++ == 0)
@@ -423,7 +423,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
     double position[2] = {(double)points->count * r->step[0], 0};
     for (int k = X; k <= Y; k++)
       if (at[k] >= 0) {
-        position[k] = number_at(r, at[k]);
+        position[k] = r->value[k];
         aspi_points_precision(points, r->table->fields[at[k]]);
       }
     double z = height_at(r, at[Z], raw);
@@ -476,8 +476,12 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   bool found, matrix = r->column[Z] < 0;
   if (!code)
     code = aspi_table_line(r->table, &found, error);
-  if (!code)
-    code = check(r, error);
+  if (!code && !fits(r)) {
+    char shown[48];
+    show(t, shown, sizeof shown);
+    code = fail_line(r, t->text.line, shown, error);
+  }
+  code = code ? code : check_count(r, error);
   if (!code)
     code = matrix ? read_matrix(r, raw, error) : read_points(r, &points, raw, error);
   if (!code && !chosen)
