@@ -5,7 +5,6 @@
 
 #include <locale.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,6 +59,40 @@ static const double power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 enum { POWERS = sizeof power / sizeof *power, DIGITS_MOST = 15 };
+
+bool aspi_number_read(const char *c, char other_point, double *value) {
+  bool minus = *c == '-', point = false;
+  unsigned long long digits = 0;
+  int scale = 0, exponent = 0;
+  const char *first = c += minus;
+  for (; c - first < 18; c++) {
+    unsigned digit = (unsigned)(*c - '0');
+    if (digit < 10) {
+      digits = 10 * digits + digit;
+      scale -= point;
+    } else if (!point && (*c == '.' || *c == other_point)) {
+      point = true;
+    } else {
+      break;
+    }
+  }
+  if (c - first <= point)
+    return false;
+  if (*c == 'e' || *c == 'E') {
+    bool below = *++c == '-';
+    const char *power_of = c += below || *c == '+';
+    for (; *c >= '0' && *c <= '9' && c - power_of < 4; c++)
+      exponent = 10 * exponent + (*c - '0');
+    if (c == power_of)
+      return false;
+    scale += below ? -exponent : exponent;
+  }
+  if (*c || digits > 1ull << 53 || abs(scale) >= POWERS)
+    return false;
+  double size = scale < 0 ? (double)digits / power[-scale] : (double)digits * power[scale];
+  *value = minus ? -size : size;
+  return true;
+}
 
 /* Rounds size * 10^shift to a whole number below 2^53, ties to even: the product or quotient and
  * its own rounding error are exact. */

@@ -14,7 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { WORD_MOST = 64 };
+/* Characters of a number, of the buffer at first, and of a line. */
+enum { WORD_MOST = 64, ROOM_FIRST = 1 << 16, LINE_MOST = 1 << 26 };
 
 static FILE *refuse(const char *path, int reason, asp_error *error) {
   aspi_fail(error, reason == ENOMEM ? ASP_ENOMEM : ASP_EFILE, "cannot open '%.200s': %s", path,
@@ -84,25 +85,19 @@ FILE *aspi_file_open(const char *path, asp_error *error) {
   return of == BYTES ? stream : copy_of(stream, path, of, error);
 }
 
-/* The byte-order mark of UTF-8, which is no text. */
-static void skip_mark(FILE *stream) {
-  char mark[3];
-  if (fread(mark, 1, 3, stream) != 3 || memcmp(mark, "\xEF\xBB\xBF", 3) != 0)
-    rewind(stream);
+aspi_text aspi_text_create(FILE *stream, const char *path) {
+  return (aspi_text){.stream = stream, .path = path};
 }
 
-aspi_text aspi_text_create(FILE *stream, const char *path) {
-  skip_mark(stream);
-  return (aspi_text){.stream = stream, .path = path, .line = 0, .next = 1};
+void aspi_text_close(aspi_text *text) {
+  free(text->buffer);
 }
 
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
   if (fseek(text->stream, 0, SEEK_SET) != 0)
-    return aspi_fail(error, ASP_EFILE, "%s: cannot be read twice, as its unequal spacing needs: %s",
-                     text->path, strerror(errno));
-  skip_mark(text->stream);
-  text->line = 0;
-  text->next = 1;
+    return aspi_fail(error, ASP_EFILE, "%s: cannot be read twice: %s", text->path, strerror(errno));
+  text->line = text->from = text->to = 0;
+  text->rest = NULL;
   return ASP_OK;
 }
 
@@ -116,96 +111,89 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
 }
 
-int aspi_text_character(aspi_text *text) {
-  int c = getc_unlocked(text->stream);
-  if (c == '\r') {
-    int after = getc_unlocked(text->stream);
-    if (after != '\n' && after != EOF)
-      ungetc(after, text->stream);
-    c = '\n';
-  }
-  if (c == '\n')
-    text->next++;
-  return c;
-}
-
-/* Appends a character, or the end (EOF), to a buffer that grows up to `most`. */
-static asp_code append(aspi_text *text, char **buffer, size_t *room, size_t most, size_t *length,
-                       int c, asp_error *error) {
-  size_t need = *length + (c == EOF ? 1 : 2);
-  if (c == '\0')
-    return aspi_text_fail(text, text->line, error,
-                          "a NUL byte: not a text file, or one in UTF-16 without a byte order mark "
-                          "(save it as plain text)");
-  if (need > most)
-    return aspi_text_fail(text, text->line, error, "a %s of %zu characters or more",
-                          most == WORD_MOST ? "word" : "line", most);
-  if (need > *room) {
-    size_t larger = 2 * need < most ? 2 * need : most;
-    char *grown = realloc(*buffer, larger);
+/* Reads more of the stream behind what is in the buffer; *more is false at its end. */
+static asp_code fill(aspi_text *t, bool *more, asp_error *error) {
+  t->to -= t->from;
+  if (t->from > 0)
+    memmove(t->buffer, t->buffer + t->from, t->to);
+  t->from = 0;
+  if (t->to == t->room) {
+    size_t room = t->room ? 2 * t->room : ROOM_FIRST;
+    if (room > LINE_MOST)
+      return aspi_text_fail(t, t->line, error, "a line of %zu characters or more", t->room);
+    char *grown = realloc(t->buffer, room + 1); /* and the end of the last line */
     if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", text->path,
-                       text->line);
-    *buffer = grown;
-    *room = larger;
+      return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->path, t->line);
+    t->buffer = grown;
+    t->room = room;
   }
-  (*buffer)[*length] = (char)(c == EOF ? '\0' : c);
-  *length += c != EOF;
-  if (c == EOF && ferror(text->stream))
-    return aspi_fail(error, ASP_EFILE, "%s: cannot be read: %s", text->path, strerror(errno));
+  size_t got = fread(t->buffer + t->to, 1, t->room - t->to, t->stream);
+  t->to += got;
+  *more = got > 0;
+  if (ferror(t->stream))
+    return aspi_fail(error, ASP_EFILE, "%s: cannot be read: %s", t->path, strerror(errno));
   return ASP_OK;
 }
 
-asp_code aspi_text_long_line(aspi_text *text, char **line, size_t *room, size_t most, bool *found,
-                             asp_error *error) {
-  size_t length = 0;
-  text->line = text->next;
-  int c = aspi_text_character(text);
-  *found = c != EOF;
-  for (; c != EOF && c != '\n'; c = aspi_text_character(text)) {
-    asp_code code = append(text, line, room, most, &length, c, error);
+size_t aspi_text_bytes(aspi_text *t, void *to, size_t size) {
+  size_t have = t->to - t->from < size ? t->to - t->from : size;
+  if (have > 0)
+    memcpy(to, t->buffer + t->from, have);
+  t->from += have;
+  return have + fread((char *)to + have, 1, size - have, t->stream);
+}
+
+asp_code aspi_text_line(aspi_text *t, bool *found, asp_error *error) {
+  static const char mark[] = "\xEF\xBB\xBF";
+  char *end = NULL;
+  bool more = true;
+  t->line++;
+  for (size_t seen = 0; !end && more;) {
+    size_t have = t->to - t->from;
+    if (have > seen && !(end = memchr(t->buffer + t->from + seen, '\n', have - seen)) && have > 1)
+      end = memchr(t->buffer + t->from + seen, '\r', have - seen - 1);
+    seen = have > 0 ? have - 1 : 0;
+    asp_code code = end ? ASP_OK : fill(t, &more, error);
     if (code)
       return code;
   }
-  return append(text, line, room, most, &length, EOF, error);
+  char *start = t->text = t->buffer + t->from;
+  *found = t->from < t->to;
+  end = end ? end : t->buffer + t->to;
+  char *other = end > start ? memchr(start, '\r', (size_t)(end - start)) : NULL;
+  end = other ? other : end;
+  t->from = (size_t)(end - t->buffer) + (end < t->buffer + t->to);
+  if (other && t->from < t->to && t->buffer[t->from] == '\n')
+    t->from++;
+  if (t->line == 1 && end - start >= 3 && memcmp(start, mark, 3) == 0)
+    t->text += 3;
+  t->length = (size_t)(end - t->text);
+  *end = '\0';
+  t->rest = t->text;
+  if (memchr(t->text, '\0', t->length))
+    return aspi_text_fail(t, t->line, error,
+                          "a NUL byte: not a text file, or one in UTF-16 without a byte order mark "
+                          "(save it as plain text)");
+  return ASP_OK;
 }
 
-asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error) {
-  char *line = text->text;
-  size_t room = sizeof text->text;
-  return aspi_text_long_line(text, &line, &room, room, found, error);
-}
-
-asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error) {
-  char *word = text->text;
-  size_t length = 0, room = WORD_MOST;
-  int c;
-  do {
-    text->line = text->next;
-    c = aspi_text_character(text);
-  } while (c != EOF && isspace(c));
-  for (; c != EOF && !isspace(c); c = aspi_text_character(text)) {
-    asp_code code = append(text, &word, &room, WORD_MOST, &length, c, error);
+asp_code aspi_text_word(aspi_text *t, char **word, asp_error *error) {
+  bool found = true;
+  while (found && (!t->rest || !(*word = aspi_text_field(&t->rest, ' ')))) {
+    asp_code code = aspi_text_line(t, &found, error);
     if (code)
       return code;
   }
-  *found = length > 0;
-  return append(text, &word, &room, WORD_MOST, &length, EOF, error);
-}
-
-size_t aspi_text_inside(const char **text) {
-  while (isspace((unsigned char)**text))
-    ++*text;
-  size_t length = strlen(*text);
-  while (length > 0 && isspace((unsigned char)(*text)[length - 1]))
-    length--;
-  return length;
+  *word = found ? *word : NULL;
+  return ASP_OK;
 }
 
 char *aspi_text_trim(char *text) {
-  const char *first = text;
-  size_t length = aspi_text_inside(&first);
-  text += first - text;
+  while (isspace((unsigned char)*text))
+    text++;
+  size_t length = strlen(text);
+  while (length > 0 && isspace((unsigned char)text[length - 1]))
+    length--;
   text[length] = '\0';
   return text;
 }
@@ -248,35 +236,6 @@ char *aspi_text_field(char **next, char separator) {
   return unquote(aspi_text_trim(field));
 }
 
-int aspi_text_split(char *line, char separator, char *fields[], int most) {
-  int count = 0;
-  while (count < most && (fields[count] = aspi_text_field(&line, separator)) != NULL)
-    count++;
-  return count;
-}
-
-int aspi_text_names(char *line, char separator, char *names[], int most) {
-  while (*line && *line != separator && strchr("#%; \t", *line))
-    line++;
-  int count = aspi_text_split(line, separator, names, most), kept = 0;
-  for (int i = 0; i < count; i++) {
-    if (separator == ' ' && kept > 0 && strchr("([{", *names[i])) {
-      char *end = names[kept - 1] + strlen(names[kept - 1]);
-      memset(end, ' ', (size_t)(names[i] - end));
-    } else {
-      names[kept++] = names[i];
-    }
-  }
-  return kept;
-}
-
-char aspi_text_separator(const char *line) {
-  const char *first = strpbrk(line, ";");
-  first = first ? first : strpbrk(line, "\t");
-  first = first ? first : strpbrk(line, ",");
-  return first ? *first : ' ';
-}
-
 bool aspi_text_blank(const char *line) {
   return line[strspn(line, " \t\v\f")] == '\0';
 }
@@ -288,8 +247,20 @@ static bool is_missing(const char *text, size_t length) {
   return length == 0 || stars == length || aspi_word_index(marks, text, length, false) >= 0;
 }
 
+/* Takes the commas out that stand between groups of three digits; false where they do not. */
+static bool join_thousands(char *text) {
+  size_t first = strspn(text += *text == '-' || *text == '+', "0123456789");
+  bool good = first > 0 && first <= 3;
+  for (char *comma = text + first; good && *comma == ',';) {
+    good = strspn(comma + 1, "0123456789") == 3;
+    memmove(comma, comma + 1, strlen(comma));
+    comma += good ? 3 : 0;
+  }
+  return good && !strchr(text, ',');
+}
+
 /* Converts a number to C's form: an ASCII minus, a decimal point, an exponent with E. */
-static bool normalize(char *text) {
+static bool normalize(char *text, bool thousands) {
   static const char minus[] = "\xE2\x88\x92";
   for (char *at; (at = strstr(text, minus)) != NULL;) {
     *at = '-';
@@ -300,14 +271,20 @@ static bool normalize(char *text) {
         (isdigit((unsigned char)c[1]) || c[1] == '+' || c[1] == '-'))
       *c = 'e';
   char *mark = strchr(text, ',');
-  if (!mark)
-    return true;
+  if (!mark || thousands)
+    return !mark || join_thousands(text);
   *mark = '.';
   return strchr(text, '.') == mark && !strpbrk(mark + 1, ".,");
 }
 
-aspi_word aspi_text_number(const char *text, double *value) {
-  size_t length = aspi_text_inside(&text);
+aspi_word aspi_text_number(const char *text, bool thousands, double *value) {
+  if (aspi_number_read(text, thousands ? '.' : ',', value))
+    return ASP_WORD_NUMBER;
+  while (isspace((unsigned char)*text))
+    text++;
+  size_t length = strlen(text);
+  while (length > 0 && isspace((unsigned char)text[length - 1]))
+    length--;
   char copy[WORD_MOST], *end;
   *value = NAN;
   if (is_missing(text, length))
@@ -316,7 +293,7 @@ aspi_word aspi_text_number(const char *text, double *value) {
     return ASP_WORD_OTHER;
   memcpy(copy, text, length);
   copy[length] = '\0';
-  if (!normalize(copy))
+  if (!normalize(copy, thousands))
     return ASP_WORD_OTHER;
   double read = aspi_number(copy, &end);
   if (end == copy || *end)

@@ -1,4 +1,5 @@
-/* A text file read as a stream: one line or one word at a time, never more of it in memory.
+/* A text file read as a stream: a line or a word at a time, in a buffer that grows with the longest
+ * line. And the numbers in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_TEXT_H
@@ -8,8 +9,6 @@
 
 #include <stdio.h>
 
-enum { ASP_TEXT_MOST = 4096 };
-
 /* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds, or
  * UTF-16 with a byte-order mark, which becomes UTF-8, is copied to a temporary file first. `-` is
  * standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
@@ -17,53 +16,43 @@ FILE *aspi_file_open(const char *path, asp_error *error);
 
 typedef struct aspi_text {
   FILE *stream;
-  const char *path;         /* for messages */
-  size_t line;              /* of the line or word in `text`, from 1 */
-  size_t next;              /* of the next character */
-  char text[ASP_TEXT_MOST]; /* without its end */
+  const char *path; /* for messages */
+  size_t line;      /* of the line or word at hand, from 1 */
+  char *text;       /* the line at hand, without its end; in the buffer, for the caller to cut */
+  size_t length;
+  char *rest; /* of it, behind its words that were read */
+  /* What is read from the stream and not used yet is from `from` to `to`. */
+  char *buffer;
+  size_t room, from, to;
 } aspi_text;
 
+/* A text at the beginning of a stream, to be closed (the stream stays open). */
 aspi_text aspi_text_create(FILE *stream, const char *path);
+void aspi_text_close(aspi_text *text);
 
 /* Back to the beginning; ASP_EFILE where the stream cannot. */
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 
-/* The next character, or EOF; every end of a line is LF. */
-int aspi_text_character(aspi_text *text);
+/* The next bytes; returns how many there were. */
+size_t aspi_text_bytes(aspi_text *text, void *to, size_t size);
 
-/* Reads the next line (its end is LF, CR LF or CR; the byte-order mark of UTF-8 is left out) or
- * word (between white space). *found is false at the end of the file. ASP_EDATA for a NUL byte, a
- * line of 4096 characters or more, or a word of 64 or more. */
+/* Reads the next line (its end is LF, CR LF or CR; the byte-order mark of UTF-8 is left out);
+ * *found is false at the end of the file. ASP_EDATA for a NUL byte or a line over 64 MB. */
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
-asp_code aspi_text_word(aspi_text *text, bool *found, asp_error *error);
 
-/* Like aspi_text_line, into a buffer of *room characters that grows up to `most` by realloc. */
-asp_code aspi_text_long_line(aspi_text *text, char **line, size_t *room, size_t most, bool *found,
-                             asp_error *error);
+/* The next word (between white space), NULL at the end of the file. */
+asp_code aspi_text_word(aspi_text *text, char **word, asp_error *error);
 
 /* True if there is nothing but white space. */
 bool aspi_text_blank(const char *line);
 
-/* Moves past the blanks before a text; its length without those behind it. */
-size_t aspi_text_inside(const char **text);
-
 /* A text without the blanks at both ends; in place. */
 char *aspi_text_trim(char *text);
 
-/* The separator of a line's fields: the first of ; tab , in this order that it has, or a blank for
- * runs of white space. */
-char aspi_text_separator(const char *line);
-
 /* Cuts the next field off a line, in place, without blanks and one pair of quotes around it; NULL
- * at the end. Quotes hold a field together, and a quote in quotes is written twice. */
+ * at the end. The separator ' ' is any white space. Quotes hold a field together, and a quote in
+ * quotes is written twice. */
 char *aspi_text_field(char **next, char separator);
-
-/* Cuts a line into at most `most` fields; the number of fields. */
-int aspi_text_split(char *line, char separator, char *fields[], int most);
-
-/* Splits a line of names, without the marks of a comment before it. Where blanks separate
- * them, a unit in brackets belongs to the name before it. */
-int aspi_text_names(char *line, char separator, char *names[], int most);
 
 /* ASP_EDATA and "<path>:<line>: <message>". */
 #if defined(__GNUC__)
@@ -76,8 +65,8 @@ aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char 
  * text. */
 typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } aspi_word;
 
-/* Reads all of a text, blanks around it left out. A comma is a decimal point; an exponent may begin
- * with D (Fortran). */
-aspi_word aspi_text_number(const char *text, double *value);
+/* Reads all of a text, blanks around it left out. A comma is a decimal point, or with `thousands`
+ * one between groups of three digits; an exponent may begin with D (Fortran). */
+aspi_word aspi_text_number(const char *text, bool thousands, double *value);
 
 #endif

@@ -75,7 +75,7 @@ static const struct {
 } kinds[] = {
     {"length", 1, 0, 0},        {"speed", 1, 0, -1},       {"stress", -1, 1, -2},
     {"density", -3, 1, 0},      {"energy/area", 0, 1, -2}, {"stress/speed", -2, 1, -1},
-    {"length2/time", 2, 0, -1},
+    {"length2/time", 2, 0, -1}, {"mass", 0, 1, 0},         {"rate", 0, 0, -1},
 };
 
 static double power(double base, int exponent) {

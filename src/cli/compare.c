@@ -128,8 +128,10 @@ static void make_bins(aspi_comparison *c, cli_call *call) {
 
 static void table_impacts(aspi_comparison *c, cli_call *call) {
   asp_error error;
-  if (cli_is_set(call, "near"))
-    cli_bad_usage("--near has no effect without DATA");
+  static const char *const of_data[] = {"near", "columns", "from"};
+  for (int i = 0; i < 3; i++)
+    if (cli_is_set(call, of_data[i]))
+      cli_bad_usage("--%s has no effect without DATA", of_data[i]);
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   c->data = c->impacts;
   c->data.has_outcome = true;
@@ -142,7 +144,7 @@ static void compare_with(aspi_comparison *c, cli_call *call) {
   c->impacts = cli_scatter_read_impacts(c->names[0]);
   double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
   cli_few(cli_get(call, "near"), 0, 90, 3, far);
-  c->data = cli_scatter_read_data(c->names[1]);
+  c->data = cli_scatter_read_data(call, c->names[1]);
   warn_unknown(c);
   take_view(c);
   make_bins(c, call);
@@ -173,6 +175,7 @@ static const cli_option options[] = {{"bin", "DEGREES",
                                       "a place without simulated impacts takes those within this "
                                       "distance: degrees, shares of speed and size",
                                       FAR},
+                                     SCATTER_OPTIONS,
                                      {.name = NULL}};
 
 static const char detail[] =

@@ -11,6 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Impacts are put together in blocks of at least so many. */
+enum { CELLS_LEAST = 1 << 16 };
+
 /* What an impact, or all of a triangle, wore off. */
 typedef struct cell {
   int mesh, triangle;
@@ -19,7 +22,7 @@ typedef struct cell {
 
 typedef struct wear {
   cell *cells;
-  size_t count;
+  size_t count, most; /* cells, and how many before they are put together */
   const char *path;
   const aspi_erosion *law; /* NULL: the ledger's own column */
   double wall_density;     /* 0: the law has it */
@@ -31,6 +34,24 @@ static int by_place(const void *left, const void *right) {
   const cell *a = left, *b = right;
   return a->mesh != b->mesh ? (a->mesh > b->mesh) - (a->mesh < b->mesh)
                             : (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+static void add(cell *to, const cell *more) {
+  to->impacts += more->impacts;
+  to->mass += more->mass;
+}
+
+/* Makes one cell of all of a triangle, in order. */
+static void put_together(wear *w) {
+  size_t kept = 0;
+  if (w->count > 0)
+    qsort(w->cells, w->count, sizeof *w->cells, by_place);
+  for (size_t i = 0; i < w->count; i++)
+    if (kept > 0 && by_place(&w->cells[kept - 1], &w->cells[i]) == 0)
+      add(&w->cells[kept - 1], &w->cells[i]);
+    else
+      w->cells[kept++] = w->cells[i];
+  w->count = kept;
 }
 
 static double worn_by_law(const wear *w, const double of[], double mass) {
@@ -49,6 +70,10 @@ static void add_row(wear *w, const double of[]) {
                   "particles by --density or 'materials'",
                   w->path);
   double worn = w->law ? worn_by_law(w, of, mass) : of[ERODED];
+  if (w->count == w->most) {
+    put_together(w);
+    w->most = 2 * w->count > CELLS_LEAST ? 2 * w->count : CELLS_LEAST;
+  }
   w->cells = cli_grow(w->cells, w->count, sizeof *w->cells);
   w->cells[w->count++] = (cell){(int)of[MESH], (int)of[TRIANGLE], 1, worn};
 }
@@ -62,19 +87,13 @@ static void read_ledger(wear *w) {
                      w->law || i < 2 ? ""
                                      : "; a ledger has it with 'columns full', or state 'erosion "
                                        "LAW' behind it");
-  if (!w->law && *ledger.csv->comment && !strstr(ledger.csv->comment, " erosion "))
+  if (!w->law && *ledger.table->comment && !strstr(ledger.table->comment, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w->path);
   double of[SCATTER_COLUMNS];
   while (cli_scatter_row(&ledger, of))
     add_row(w, of);
-  if (w->count > 0)
-    qsort(w->cells, w->count, sizeof *w->cells, by_place);
-}
-
-static void add(cell *to, const cell *more) {
-  to->impacts += more->impacts;
-  to->mass += more->mass;
+  put_together(w);
 }
 
 static void print_sum(FILE *out, const char *mesh, const char *triangle, const cell *sum) {
@@ -82,18 +101,14 @@ static void print_sum(FILE *out, const char *mesh, const char *triangle, const c
 }
 
 static void print_all(FILE *out, const wear *w) {
-  cell triangle = {.mesh = 0}, mesh = {.mesh = 0}, all = {.mesh = 0};
+  cell mesh = {.mesh = 0}, all = {.mesh = 0};
   fputs("mesh,triangle,impacts,eroded_mass_kg\n", out);
   for (const cell *c = w->cells, *end = c + w->count; c < end; c++) {
     char names[2][16];
     snprintf(names[0], sizeof names[0], "%d", c->mesh);
     snprintf(names[1], sizeof names[1], "%d", c->triangle);
-    add(&triangle, c);
-    if (c + 1 < end && by_place(c, c + 1) == 0)
-      continue;
-    print_sum(out, names[0], names[1], &triangle);
-    add(&mesh, &triangle);
-    triangle = (cell){.mesh = 0};
+    print_sum(out, names[0], names[1], c);
+    add(&mesh, c);
     if (c + 1 < end && c[1].mesh == c->mesh)
       continue;
     print_sum(out, names[0], "all", &mesh);

@@ -33,16 +33,23 @@
 /* What stands before the name of the units in a ledger's comment. */
 #define UNITS "; units "
 
-/* Names as `plain` writes them; the first one is shown. */
+/* Plain names (aspi_plain); the first one is shown. */
 static const struct {
   const char *names, *kind;
   double least, most;
 } columns[SCATTER_COLUMNS] = {
-    [ALPHA1] = {"alpha1 alpha_1 impact_angle", ANGLE, 0, RIGHT_ANGLE},
-    [V1] = {"v1 impact_velocity impact_speed", SPEED, 0, LARGE},
-    [ALPHA2 + ASPI_IN_PLANE] = {"alpha2_plane alpha_2_plane", ANGLE, -BELOW_MOST, 2 * RIGHT_ANGLE},
+    [ALPHA1] = {"alpha1 alpha_1 impact_angle alpha_in alpha_i angle_in ang_in incidence_angle "
+                "incident_angle "
+                "alpha alpha_impact theta_in theta_i theta beta_1 angle_from_normal",
+                ANGLE, 0, RIGHT_ANGLE},
+    [V1] = {"v1 impact_velocity impact_speed v_in vin v_i", SPEED, 0, LARGE},
+    [ALPHA2 + ASPI_IN_PLANE] = {"alpha2_plane alpha_2_plane rebound_angle alpha_out alpha_r "
+                                "alpha_re angle_out ang_out ang_re "
+                                "theta_out theta_r beta_2",
+                                ANGLE, -BELOW_MOST, 2 * RIGHT_ANGLE},
     [ALPHA2 + ASPI_IN_SPACE] = {"alpha2_space alpha_2_space", ANGLE, -BELOW_MOST, RIGHT_ANGLE},
-    [V2 + ASPI_IN_PLANE] = {"v2_plane", SPEED, 0, LARGE},
+    [V2 + ASPI_IN_PLANE] = {"v2_plane v_out vout v_r rebound_velocity rebound_speed", SPEED, 0,
+                            LARGE},
     [V2 + ASPI_IN_SPACE] = {"v2_space v2", SPEED, 0, LARGE}, /* v2: as a ledger has it */
     [COR_ALPHA + ASPI_IN_PLANE] = {"cor_alpha_plane", RATIO, -LARGE, LARGE},
     [COR_ALPHA + ASPI_IN_SPACE] = {"cor_alpha_space", RATIO, -LARGE, LARGE},
@@ -90,28 +97,6 @@ static const struct {
 
 /* ---- names and units ---- */
 
-/* A name in small letters, the signs of units written out, all others as single underscores:
- * `alpha_1 [°]` is alpha_1_deg. */
-static void plain(const char *name, char *to, size_t size) {
-  static const char *const written[][2] = {
-      {"\xc2\xb0", "_deg"}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}, {"%", "_percent"}};
-  size_t n = 0;
-  while (*name && n + 10 < size) {
-    size_t i = 0, count = sizeof written / sizeof *written;
-    while (i < count && strncmp(name, written[i][0], strlen(written[i][0])) != 0)
-      i++;
-    const char other[] = {isalnum((unsigned char)*name) ? (char)tolower((unsigned char)*name) : '_',
-                          '\0'};
-    const char *as = i < count ? written[i][1] : other;
-    as += *as == '_' && (n == 0 || to[n - 1] == '_');
-    n += (size_t)sprintf(to + n, "%s", as);
-    name += i < count ? strlen(written[i][0]) : 1;
-  }
-  while (n > 0 && to[n - 1] == '_')
-    n--;
-  to[n] = '\0';
-}
-
 /* The column with the longest name that a plain name begins with, -1 where there is none, and what
  * stands behind it. */
 static int column_of(const char *name, const char **rest) {
@@ -143,33 +128,23 @@ static double factor_of(const char *kind, const char *unit, bool stated) {
 /* The unit of a ledger's column that has none in its name: of the units in the first comment, else
  * of SI; NAN where they have no size. */
 static double ledger_unit(const char *comment, const char *kind) {
-  static const struct {
-    const char *name;
-    double length, speed, mass;
-  } units[] = {{"si", 1, 1, 1},
-               {"cgs", 1e-2, 1e-2, 1e-3},
-               {"micro", 1e-6, 1, 1e-15},
-               {"nano", 1e-9, 1, 1e-21}};
+  static const asp_units styles[] = {
+      {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}, {"nano", 1e9, 1e21, 1e9}};
   const char *named = strstr(comment, UNITS);
   named = named ? named + strlen(UNITS) : "si";
-  bool length = strcmp(kind, LENGTH) == 0, speed = strcmp(kind, SPEED) == 0;
-  bool rate = strcmp(kind, RATE) == 0;
-  if (!length && !speed && !rate && strcmp(kind, OF_MASS) != 0)
+  if (!*kind || strcmp(kind, ANGLE) == 0)
     return 1;
-  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-    if (strlen(units[i].name) == strcspn(named, ";") &&
-        strncmp(units[i].name, named, strlen(units[i].name)) == 0)
-      return length  ? units[i].length
-             : speed ? units[i].speed
-             : rate  ? units[i].speed / units[i].length
-                     : units[i].mass;
+  for (size_t i = 0; i < sizeof styles / sizeof *styles; i++)
+    if (strlen(styles[i].name) == strcspn(named, ";") &&
+        strncmp(styles[i].name, named, strlen(styles[i].name)) == 0)
+      return 1 / aspi_quantity_factor(kind, &styles[i]);
   return NAN;
 }
 
 /* The unit of a column by its name; exits where it is not read, or one is missing. */
 static double unit_of(const cli_scatter *t, int place, int column, double factor) {
-  const char *kind = columns[column].kind, *name = t->csv->names[place];
-  const char *path = t->csv->text.path;
+  const char *kind = columns[column].kind, *name = t->table->column[place].name;
+  const char *path = t->table->text.path;
   const int own = (int)strcspn(columns[column].names, " ");
   char list[120];
   aspi_quantity_units(kind, list, sizeof list);
@@ -179,7 +154,7 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
   if (factor > 0)
     return factor;
   if (t->is_ledger)
-    return ledger_unit(t->csv->comment, kind);
+    return ledger_unit(t->table->comment, kind);
   if (strcmp(kind, LENGTH) == 0)
     cli_bad_usage("%s: the unit of column '%s' is not stated; name it %.*s_um, _mm or _m", path,
                   name, own, columns[column].names);
@@ -190,29 +165,74 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
   return 1;
 }
 
+/* Takes the columns that the user names: `alpha1=2,v1=speed`, by number or name. */
+static void take_choice(cli_scatter *t, const cli_option *choice) {
+  char *list = cli_copy(choice->value), *item, *end;
+  while ((item = aspi_text_field(&list, ',')) != NULL) {
+    char *name = aspi_text_field(&item, '=');
+    const char *rest;
+    int c = name ? column_of(name, &rest) : -1, place = -1;
+    if (item)
+      place = (int)strtol(item, &end, 10) - 1;
+    if (item && *end)
+      for (place = t->table->columns - 1; place >= 0; place--)
+        if (strcmp(t->table->column[place].name, item) == 0)
+          break;
+    if (c < 0 || *rest || place < 0 || place >= t->table->columns)
+      cli_bad_usage(
+          "--%s is '%s'; it must be names of columns, each with a number from 1 to %d or a "
+          "name of %s: alpha1=2,v1=3",
+          choice->name, choice->value, t->table->columns, t->table->text.path);
+    double factor = -1;
+    for (const char *at = t->table->column[place].plain; *at && !(factor > 0); at += *at == '_') {
+      factor = factor_of(columns[c].kind, at, false);
+      at += strcspn(at, "_");
+    }
+    for (int other = 0; other < SCATTER_COLUMNS; other++)
+      t->at[other] = t->at[other] == place ? -1 : t->at[other];
+    t->at[c] = place;
+    t->factor[c] = unit_of(t, place, c, factor > 0 ? factor : *columns[c].kind ? 0 : 1);
+  }
+}
+
+/* Counts angles from the wall that the file counts from its normal, by its name or by the user. */
+static void take_normal(cli_scatter *t, const cli_option *from) {
+  static const int angles[] = {ALPHA1, ALPHA2 + ASPI_IN_PLANE, ALPHA2 + ASPI_IN_SPACE};
+  bool chosen = from && cli_choice(from) == 1;
+  for (int i = 0; i < 3; i++) {
+    int place = t->at[angles[i]];
+    const char *name = place >= 0 ? t->table->column[place].plain : "";
+    t->from_normal[angles[i]] = chosen || strstr(name, "normal");
+    if (from && !chosen && strncmp(name, "theta", 5) == 0)
+      cli_warn("%s: the angles of column '%s' are taken from the wall; --from normal turns those "
+               "from its normal",
+               t->table->text.path, t->table->column[place].name);
+  }
+  if (chosen && (t->at[COR_ALPHA] >= 0 || t->at[COR_ALPHA + ASPI_IN_SPACE] >= 0))
+    cli_bad_usage("--from is 'normal'; cor_alpha is a ratio of angles from the wall");
+}
+
 cli_scatter cli_scatter_open(const char *path, int end) {
   asp_error error;
-  cli_scatter t = {.csv = aspi_csv_open(path, &error)};
-  cli_must(t.csv, &error);
-  t.is_ledger = strstr(t.csv->comment, UNITS) || aspi_csv_find(t.csv, "tilt_out_deg") >= 0;
+  cli_scatter t = {.table = aspi_table_open(NULL, path, 0, &error)};
+  cli_must(t.table, &error);
+  t.is_ledger = strstr(t.table->comment, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.at[c] = -1;
-  for (int i = 0; i < t.csv->columns; i++) {
-    char name[80], whole[200];
+  for (int i = 0; i < t.table->columns; i++) {
+    const aspi_column *column = &t.table->column[i];
     const char *rest;
-    snprintf(whole, sizeof whole, "%.90s %.90s", t.csv->names[i], t.csv->units[i]);
-    plain(whole, name, sizeof name);
-    int c = column_of(name, &rest);
-    bool stated = strpbrk(whole, "[(");
-    double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, stated) : -1;
+    int c = column_of(column->plain, &rest);
+    double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, column->bracketed) : -1;
     if (factor < 0)
       continue;
     if (t.at[c] >= 0)
       cli_bad_usage("%s: columns %d and %d, '%s' and '%s', are the same; there must be one", path,
-                    t.at[c] + 1, i + 1, t.csv->names[t.at[c]], t.csv->names[i]);
+                    t.at[c] + 1, i + 1, t.table->column[t.at[c]].name, column->name);
     t.at[c] = i;
     t.factor[c] = unit_of(&t, i, c, factor);
   }
+  take_normal(&t, NULL);
   return t;
 }
 
@@ -222,11 +242,11 @@ void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
   snprintf(name, sizeof name, "%.*s", (int)strcspn(columns[column].names, " "),
            columns[column].names);
   if (t->at[column] < 0) {
-    aspi_csv_need(t->csv, name, &error);
+    aspi_table_need(t->table, name, &error);
     cli_bad_usage("%s%s", error.text, hint);
   }
   if (isnan(t->factor[column]))
-    cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->csv->text.path,
+    cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->table->text.path,
                   name);
   t->needed[column] = true;
 }
@@ -234,7 +254,7 @@ void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
 /* ---- rows ---- */
 
 /* Reads an outcome: a word, or the number of a ledger. */
-static double outcome_of(const aspi_csv *csv, const char *word) {
+static double outcome_of(const aspi_table *table, const char *word) {
   static const char *const words[] = {"rebound rebounded",
                                       "deposit deposited deleted stuck sticks"};
   char *end;
@@ -245,37 +265,43 @@ static double outcome_of(const aspi_csv *csv, const char *word) {
                   : aspi_word_index(words[i], word, strlen(word), false) >= 0)
       return i;
   cli_bad_usage("%s:%zu: outcome is '%.40s'; it must be rebound or deposit (or stuck, or 0 or 1)",
-                csv->text.path, csv->text.line, word);
+                table->text.path, table->text.line, word);
 }
 
 bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
   asp_error error;
   bool found, missing;
-  cli_must(!aspi_csv_row(t->csv, &found, &error), &error);
+  cli_must(!aspi_table_row(t->table, &found, &error), &error);
   for (int c = 0; c < SCATTER_COLUMNS; c++) {
     value[c] = NAN;
     if (!found || t->at[c] < 0)
       continue;
     double by = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
     if (c == OUTCOME)
-      value[c] = outcome_of(t->csv, t->csv->fields[t->at[c]]);
+      value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
     else
-      cli_must(!aspi_csv_number(t->csv, t->at[c], columns[c].least / by, columns[c].most / by,
-                                &value[c], t->needed[c] ? NULL : &missing, &error),
+      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / by, columns[c].most / by,
+                                  &value[c], t->needed[c] ? NULL : &missing, &error),
                &error);
     value[c] *= t->factor[c];
+    value[c] = t->from_normal[c] ? 90 - value[c] : value[c];
   }
   if (!found)
-    aspi_csv_close(t->csv);
+    aspi_table_close(t->table);
   return found;
 }
 
 /* ---- scatter ---- */
 
+#define FORMS                                                                                      \
+  "impacts are columns alpha1,v1,alpha2_plane,v2_plane or alpha1,cor_v_plane and "                 \
+  "cor_alpha_plane or alpha2_plane (one camera), both alike of _space, or v1_n,v1_t,v2_n,v2_t or " \
+  "v1_n,v2_n or cor_n,cor_t; means are cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd"
+
 /* The columns that give the coefficients, in this order where there are several. */
 typedef struct form {
-  bool means, points, components;
-  aspi_rebound_view ratios, velocities; /* ASPI_VIEWS: none */
+  bool means, points, components, normal; /* normal: components of it alone */
+  aspi_rebound_view ratios, velocities;   /* ASPI_VIEWS: none */
 } form;
 
 static bool has(const cli_scatter *t, int column) {
@@ -284,7 +310,8 @@ static bool has(const cli_scatter *t, int column) {
 
 static aspi_rebound_view view_of(const cli_scatter *t, int speed, int angle) {
   int view = ASPI_IN_PLANE;
-  while (view < ASPI_VIEWS && !(has(t, speed + view) && has(t, angle + view)))
+  while (view < ASPI_VIEWS &&
+         !(has(t, speed + view) && (has(t, angle + view) || has(t, ALPHA2 + view))))
     view++;
   return (aspi_rebound_view)view;
 }
@@ -292,18 +319,19 @@ static aspi_rebound_view view_of(const cli_scatter *t, int speed, int angle) {
 static form find_form(cli_scatter *t) {
   form f = {.means = has(t, MEAN) || has(t, MEAN + COR_T),
             .points = has(t, POINT) || has(t, POINT + COR_T),
-            .components = has(t, V1_N) && has(t, V1_T) && has(t, V2_N) && has(t, V2_T),
+            .components = has(t, V1_N) && has(t, V2_N) && has(t, V1_T) == has(t, V2_T),
+            .normal = !has(t, V1_T),
             .ratios = view_of(t, COR_V, COR_ALPHA),
             .velocities = has(t, V1) ? view_of(t, V2, ALPHA2) : ASPI_VIEWS};
   bool impacts = f.points || f.components || f.ratios < ASPI_VIEWS || f.velocities < ASPI_VIEWS;
   if (!f.components)
-    cli_scatter_need(t, ALPHA1, "");
+    cli_scatter_need(t, ALPHA1,
+                     "; it is the impact angle from the wall (--from normal turns those from its "
+                     "normal), also called impact_angle, alpha_in or theta_i; --columns alpha1=1 "
+                     "takes one of another name; " FORMS);
   if (impacts == f.means)
-    cli_bad_usage("%s: %s; impacts are columns alpha1,v1,alpha2_plane,v2_plane or alpha1,"
-                  "cor_v_plane,cor_alpha_plane (one camera), both alike of _space, or "
-                  "v1_n,v1_t,v2_n,v2_t or cor_n,cor_t; means are "
-                  "cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd",
-                  t->csv->text.path,
+    cli_bad_usage("%s: %s; " FORMS "; --columns cor_n=2 takes one of another name",
+                  t->table->text.path,
                   impacts ? "both impacts and means" : "neither impacts nor means");
   return f;
 }
@@ -329,13 +357,15 @@ static aspi_scatter_row row_of(const form *f, const double v[]) {
   if (f->means || f->points)
     return row;
   if (f->components) {
-    row.degrees = aspi_degrees(atan2(fabs(v[V1_N]), fabs(v[V1_T])));
-    row.v1 = hypot(v[V1_N], v[V1_T]);
-    take_velocities(fabs(v[V1_N]), v[V1_T], fabs(v[V2_N]), v[V2_T], &row);
+    double t1 = f->normal ? 0 : v[V1_T], t2 = f->normal ? 0 : v[V2_T];
+    row.degrees = aspi_degrees(atan2(fabs(v[V1_N]), fabs(t1)));
+    row.v1 = hypot(v[V1_N], t1);
+    take_velocities(fabs(v[V1_N]), t1, fabs(v[V2_N]), t2, &row);
     return row;
   }
   bool ratios = f->ratios < ASPI_VIEWS;
-  double a2 = ratios ? v[COR_ALPHA + f->ratios] * a1 : aspi_radians(v[ALPHA2 + f->velocities]);
+  double a2 = aspi_radians(v[ALPHA2 + (ratios ? f->ratios : f->velocities)]);
+  a2 = ratios && isnan(a2) ? v[COR_ALPHA + f->ratios] * a1 : a2;
   double share = ratios ? v[COR_V + f->ratios] : v[V2 + f->velocities] / v[V1];
   take_velocities(sin(a1), cos(a1), share * sin(a2), share * cos(a2), &row);
   return row;
@@ -357,14 +387,14 @@ static void add_row(aspi_scatter *s, aspi_scatter_row row) {
 }
 
 /* Mirrors a measured rebound that is below the wall at it, and exits if it is too fast. */
-static void mend(const aspi_csv *csv, aspi_scatter_row *row) {
+static void mend(const aspi_table *table, aspi_scatter_row *row) {
   double alpha = aspi_radians(row->degrees), n = row->cor[COR_N] * sin(alpha),
          t = row->cor[COR_T] * cos(alpha);
   double ratio = hypot(isnan(n) ? 0 : n, isnan(t) ? 0 : t);
   if (ratio > FASTER_MOST)
     cli_bad_usage("%s:%zu: at %g degrees the rebound is %g times as fast as the impact; correct or "
                   "remove it",
-                  csv->text.path, csv->text.line, row->degrees, ratio);
+                  table->text.path, table->text.line, row->degrees, ratio);
   row->cor[COR_N] = fabs(row->cor[COR_N]);
 }
 
@@ -379,7 +409,7 @@ static int by_place(const void *left, const void *right) {
 
 /* Reads the rows; warns of those that noise put below the wall, and of those that are left out. */
 static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
-  const char *path = t->csv->text.path;
+  const char *path = t->table->text.path;
   double v[SCATTER_COLUMNS];
   size_t below = 0, empty = 0;
   while (cli_scatter_row(t, v)) {
@@ -393,7 +423,7 @@ static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter
     s->has_size = s->has_size || isfinite(row.d_p);
     below += row.cor[COR_N] < 0;
     if (measured)
-      mend(t->csv, &row);
+      mend(t->table, &row);
     if (s->has_outcome || isfinite(row.cor[COR_N]) || isfinite(row.cor[COR_T]))
       add_row(s, row);
     else
@@ -433,8 +463,12 @@ aspi_scatter cli_scatter_read_impacts(const char *path) {
   return s;
 }
 
-aspi_scatter cli_scatter_read_data(const char *path) {
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path) {
   cli_scatter t = cli_scatter_open(path, MESH);
+  const cli_option *choice = cli_get(call, "columns");
+  if (choice->value)
+    take_choice(&t, choice);
+  take_normal(&t, cli_get(call, "from"));
   aspi_scatter s = read(&t, true);
   if (s.count == 0)
     cli_bad_usage("%s: no row of data", path);

@@ -6,7 +6,7 @@
 #define ASP_CLI_SCATTER_H
 
 #include "analysis/impacts.h"
-#include "base/csv.h"
+#include "base/table.h"
 #include "cli/cli.h"
 
 /* Columns. Those of a rebound's velocity are there once for each view: V2 + ASPI_IN_PLANE. Those
@@ -50,9 +50,10 @@ enum {
 /* A table that is read row by row; of each column its place in the file, -1 where there is none,
  * and its unit in SI (angles: degrees), NAN where it has no size, as in `units lj`. */
 typedef struct cli_scatter {
-  aspi_csv *csv;
+  aspi_table *table;
   bool is_ledger, needed[SCATTER_COLUMNS];
   int at[SCATTER_COLUMNS];
+  bool from_normal[SCATTER_COLUMNS]; /* angles of the file that are turned */
   double factor[SCATTER_COLUMNS];
 } cli_scatter;
 
@@ -69,17 +70,28 @@ bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
 /* Impacts of a model or a simulation, which have coefficients; and measured data of any form. Both
  * in order of angle, speed and size. */
 aspi_scatter cli_scatter_read_impacts(const char *path);
-aspi_scatter cli_scatter_read_data(const char *path);
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path);
+
+/* Options of a command that reads such data. */
+#define SCATTER_OPTIONS                                                                            \
+  {"columns", "NAME=N[,...]",                                                                      \
+   "columns of DATA by number or name, if its own names do not say: alpha1=2,v1=speed", NULL},     \
+  {                                                                                                \
+    "from", "wall|normal", "what the angles of DATA are counted from", "wall"                      \
+  }
 
 /* The part of a command's help about the columns. */
 #define SCATTER_FORMS                                                                              \
   "DATA is CSV (- is standard input). A name may carry its unit: alpha1_deg or alpha1_rad,\n"      \
   "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. An\n"    \
   "angle without a unit is in degrees, with a warning, a speed in m/s; a length must have one.\n"  \
-  "Titles and `sep=;` may precede the names; e_n and e_t are cor_n and cor_t, _std and _sem are\n" \
+  "impact_angle, alpha_in, theta_i are alpha1, rebound_angle, alpha_out, theta_r alpha2_plane, \n" \
+  "v_in and v_out v1 and v2_plane. Titles and `sep=;` may precede the names; e_n and e_t are "     \
+  "cor_n and cor_t, _std and _sem are\n"                                                           \
   "_sd and _se, radius is half of dp. The command takes these columns, where they are there:\n"    \
   "  impacts  alpha1, v1, alpha2_plane, v2_plane | alpha1, cor_v_plane, cor_alpha_plane |\n"       \
-  "           v1_n, v1_t, v2_n, v2_t | alpha1, cor_n, cor_t; with outcome (rebound or\n"           \
+  "           v1_n, v1_t, v2_n, v2_t | v1_n, v2_n | alpha1, cor_n, cor_t; with outcome (rebound "  \
+  "or\n"                                                                                           \
   "           deposit), cor_n_se, cor_t_se\n"                                                      \
   "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \
   "and v1, dp with either. Give a polynomial by points on it, as means. _plane is the velocity\n"  \

@@ -167,7 +167,7 @@ static void read_ledger(study *s, const char *name) {
   static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
   double of[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
-  take_heading(s, name, ledger.csv->comment);
+  take_heading(s, name, ledger.table->comment);
   ledger.at[POINT] = ledger.at[POINT + COR_T] =
       -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
@@ -175,7 +175,7 @@ static void read_ledger(study *s, const char *name) {
   for (int c = MASS; c < SCATTER_COLUMNS; c++)
     cli_scatter_need(&ledger, c, "; a ledger has it with 'columns full'");
   while (cli_scatter_row(&ledger, of))
-    add_row(s, ledger.csv->text.line, of);
+    add_row(s, ledger.table->text.line, of);
   s->grains = aspi_drawn_order(s->drawn, s->n, &s->effective);
   if ((double)s->staying > STAYS_MOST * (double)s->n)
     cli_fail("%s: %zu of %zu impacts are of particles that rest at the wall, whose draws cannot be "

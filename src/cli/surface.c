@@ -5,6 +5,8 @@
 #include "cli/surface.h"
 #include "description/description.h"
 #include "base/error.h"
+#include "base/number.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "surface/rolling.h"
 #include "surface/describe.h"
@@ -36,16 +38,22 @@ enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28 };
 
 /* ---- how a file is read ---- */
 
+/* Meters in a unit, or in so many of them; 0: there is none. */
+static double unit_of(const char *text) {
+  char *end;
+  double factor = aspi_number(text, &end);
+  return (end > text ? factor : 1) * aspi_unit_meters(end, strlen(end));
+}
+
 static void read_unit(const cli_option *option, aspi_profile_options *read) {
-  const char *second = strchr(option->value, ',');
-  size_t length = second ? (size_t)(second - option->value) : strlen(option->value);
-  second = second ? second + 1 : option->value;
-  read->unit_x = aspi_unit_meters(option->value, length);
-  read->unit_z = aspi_unit_meters(second, second == option->value ? length : strlen(second));
+  char *text = cli_copy(option->value), *first = aspi_text_field(&text, ','),
+       *second = aspi_text_field(&text, ',');
+  read->unit_x = unit_of(first);
+  read->unit_z = unit_of(second ? second : first);
   if (!(read->unit_x > 0 && read->unit_z > 0))
     cli_bad_usage(
-        "--%s is '%s'; units of length are m cm mm um nm in mil, one, or two for positions and "
-        "heights",
+        "--%s is '%s'; units of length are m cm mm um nm in mil, or lengths such as 63nm, "
+        "one, or two for positions and heights",
         option->name, option->value);
 }
 
@@ -380,9 +388,11 @@ static void run(cli_call *call) {
 static const cli_option options[] = {
     {"dp", "LENGTHS", "particle diameters: a list", "10um"},
     {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
-    {"unit", "U[,U]", "unit of the columns of a file that does not state it", NULL},
+    {"unit", "U[,U]",
+     "unit of the columns of a file that does not state it, or the length that stands for 1", NULL},
     {"read", "WORDS",
-     "content of the file: row N of an SDF map, column N (of an SDF map, or the heights of a "
+     "content of the file: row N of an SDF, SUR or X3P map, column N (of such a map, or the "
+     "heights of a "
      "text), x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
      "LENGTH[,LENGTH] between heights without positions, or between columns and rows of a matrix",
      NULL},
@@ -407,8 +417,8 @@ static const char detail[] =
     "one is mirrored at its ends. rq and lambda_c may be lists: 'surface rq 2um,5um\n"
     "lambda_c 40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
     "parameters of ISO 25178-2, the lay, and the slopes that a sphere meets across the lay\n"
-    "and along it. The command refuses instruments' own formats; the free program Gwyddion\n"
-    "saves them as SDF.\n";
+    "and along it. FILE is text, SDF, SUR (Digital Surf) or X3P; other formats of instruments\n"
+    "are refused by name, and the free program Gwyddion saves them as text.\n";
 
 const cli_command cli_surface = {
     .name = "surface",

@@ -80,6 +80,9 @@ void aspi_lambda_c_write(aspi_line *l, const asp_description *d, const aspi_keyw
     aspi_line_value(l, d, "", k->unit, d->lambda_along);
 }
 
+/* A steeper slope without a unit is an angle whose unit was forgotten: r_q is at most lambda_c. */
+#define SLOPE_MOST 1.5
+
 /* A slope, or an angle with its unit. */
 asp_code aspi_slope_read(aspi_words *r, const aspi_keyword *k) {
   double *slope = &r->d->spacing;
@@ -92,6 +95,9 @@ asp_code aspi_slope_read(aspi_words *r, const aspi_keyword *k) {
       aspi_quantity_read(k->name, given, *end ? "degrees" : k->unit, &r->d->units, slope, r->error);
   if (!code && *end)
     *slope = tan(aspi_radians(*slope));
+  else if (!code && *slope > SLOPE_MOST)
+    return aspi_fail(r->error, ASP_EARG, "%s is %s, a slope of %.0f degrees; say %sdeg?", k->name,
+                     given, aspi_degrees(atan(*slope)), given);
   return code ? code : aspi_keyword_check(k, given, *slope, r->error);
 }
 

@@ -1,113 +1,507 @@
-/* Measured walls as text in columns: positions and heights of a profile, or heights alone; a map as
- * a matrix of heights, a line a row, or as lines of x, y, z on a grid. Of a matrix the head that
- * Gwyddion writes (`# Width: 100 um`, `# Height:`, `# Value units:`) is understood; else the
- * spacing and the unit must be given.
+/* Measured walls as text: positions and heights of a profile in columns, or heights alone; a map as
+ * a matrix of heights, a line a row, or as lines of x, y, z on a grid. Units and spacing stand in
+ * names, in a line of units, or in the header (`Spacing: 0.5 um`, as instruments, SPIP and Gwyddion
+ * write it). What the file does not say is asked for; numbers that are left out are warned of.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/table.h"
+#include "base/tolerances.h"
+#include "base/units.h"
 #include "readers/points.h"
-#include "readers/table.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
-/* A height in m; notes where it is bad. */
-static double height_of(const aspi_table *t, const aspi_field *f, double unit,
-                        aspi_missing *missing, aspi_raw *raw) {
-  double z = aspi_missing_note(missing, f->value, t->text.line);
-  if (isnan(z) && raw->bad++ == 0)
-    raw->bad_line = t->text.line;
-  return z * unit;
+/* With fewer rows than this, a line of another kind is no end of them. */
+enum { ROWS_LEAST = 3 };
+
+/* Axes of a matrix are even but for this part of their step. */
+#define UNEVEN 1e-3
+
+/* Keys of a header, in English, German and French. Those of SPIP, ESRI and softgauges are as public
+ * files have them; Gwyddion's German and French words for the unit were not seen in a file. */
+static const char key_width[] = "width|breite|largeur|x length",
+                  key_height[] = "height|h\xC3\xB6he|h\xF6he|hoehe|hauteur|y length",
+                  key_spacing[] = "spacing|x spacing|pixel size|cellsize|pitch|point spacing|"
+                                  "sampling interval|teilung|punktabstand|pas",
+                  key_unit[] = "value units|z unit|exported image units|units|werteinheiten|"
+                               "einheiten der werte|werteinheit|einheit|unit\xC3\xA9s|unit\xE9s",
+                  key_factor[] = "height conversion factor",
+                  key_count[] = "numpoints|number of points|datenanzahl|anzahl punkte|"
+                                "nombre de points",
+                  key_rows[] = "y pixels|nrows";
+
+/* First words of names of positions and heights, of heights that count downward, and of a column
+ * that is 0 where the height is none. */
+static const char positions[] = "x pos position positions distance dist lateral length travel scan "
+                                "weg strecke abstand distancia posicion",
+                  heights[] = "z height heights h raw profile depth depths level amplitude "
+                              "elevation hoehe tiefe profil altura hauteur profondeur",
+                  depths[] = "depth depths tiefe profondeur", marks[] = "valid gueltig valide";
+
+#define ASK_COLUMNS                                                                                \
+  "say which columns are positions and heights (reader: x_column, column), "                       \
+  "or the step of heights alone (reader: column, step_x)"
+#define DECIMAL_COMMAS                                                                             \
+  "are there decimal commas? Separate columns by semicolons or tabs, or write decimal points"
+
+enum { X, Y, Z, VALID, AXES };
+
+typedef struct reader {
+  aspi_table *table;
+  const aspi_profile_options *options;
+  int column[AXES];                 /* from 0, -1 where there is none; of a matrix Z is -1 */
+  double unit[3];                   /* m; < 0 for depths */
+  double step[2];                   /* m, as the user or the file states it; 0: it is not stated */
+  double value[3];                  /* of the row at hand in those columns, not in a matrix */
+  int due;                          /* fields of a row */
+  size_t stated;                    /* rows by the header, 0: it does not say */
+  size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
+  aspi_missing missing;
+} reader;
+
+/* ---- the header ---- */
+
+/* Meters in a number and a unit of a line, of a number alone in `unit`, or of a unit alone. */
+static double length_in(const char *line, double unit) {
+  char text[ASP_PLAIN_MOST], plain[ASP_PLAIN_MOST], *at = text;
+  snprintf(text, sizeof text, "%.*s", (int)strcspn(line ? line : "", "\n<"), line ? line : "");
+  if (*at == '(' && strchr(at, '='))
+    at = strchr(at, '=') + 1;
+  size_t digits = strspn(at, "+-0123456789.,eE");
+  double value = 1;
+  aspi_plain(at + digits, plain, sizeof plain);
+  double own = aspi_unit_meters(plain, strcspn(plain, "_"));
+  bool empty = !*at;
+  at[digits] = '\0';
+  if (empty || (digits > 0 && aspi_text_number(at, false, &value) != ASP_WORD_NUMBER))
+    return 0;
+  return value * (own > 0 ? own : digits > 0 ? unit : 0);
 }
 
-static asp_code read_matrix(aspi_table *t, const aspi_profile_options *options,
-                            aspi_missing *missing, aspi_raw *raw, asp_error *error) {
-  double unit = options->unit_z > 0 ? options->unit_z : t->unit;
-  asp_code code = ASP_OK;
-  if (!(unit > 0))
+static double length_of(const reader *r, const char *keys, double unit) {
+  return length_in(aspi_table_value(r->table, keys), unit);
+}
+
+static size_t count_of(const reader *r, const char *keys) {
+  const char *text = aspi_table_value(r->table, keys);
+  return text ? (size_t)strtoul(text, NULL, 10) : 0;
+}
+
+static asp_code fail(const reader *r, asp_error *error, const char *text, int number) {
+  char message[400];
+  snprintf(message, sizeof message, text, number);
+  return aspi_text_fail(&r->table->text, r->table->text.line, error, "%s", message);
+}
+
+/* ---- names ---- */
+
+static size_t first_word(const char *name) {
+  size_t length = 0;
+  while (isalpha((unsigned char)name[length]))
+    length++;
+  return length;
+}
+
+static bool is_of(const char *list, const aspi_column *c) {
+  return aspi_word_index(list, c->plain, first_word(c->plain), false) >= 0;
+}
+
+/* The unit at the end of a name in m, 0 where there is none of length. */
+static double unit_in(const aspi_column *c) {
+  double unit = 0;
+  for (const char *end = c->plain; *end && !(unit > 0); end += *end == '_')
+    unit = aspi_unit_meters(end, strlen(end)), end += strcspn(end, "_");
+  return unit;
+}
+
+static bool is_named(const reader *r, int at, const char *list) {
+  const aspi_column *c = &r->table->column[at];
+  const char *mark = strpbrk(c->name, "([{/");
+  bool other =
+      mark && isalpha((unsigned char)mark[1]) && !(unit_in(c) > 0); /* a unit, of no length */
+  return is_of(list, c) && !other;
+}
+
+/* The first column with a name of the list that is not `other`; -1: none. */
+static int first_of(const reader *r, const char *list, int other) {
+  for (int i = 0; i < r->table->columns; i++)
+    if (i != other && is_named(r, i, list))
+      return i;
+  return -1;
+}
+
+/* ---- columns ---- */
+
+/* A column that is asked for by its number from 1, or by its number or name as text: from 0, -1
+ * where none is. Names are compared without their unit. */
+static asp_code find_asked(const reader *r, const char *asked, int number, int *found,
+                           asp_error *error) {
+  const aspi_table *t = r->table;
+  char *end = NULL;
+  if (asked)
+    number = (int)strtol(asked, &end, 10);
+  *found = number - 1;
+  if (!asked || !*end) {
+    if (number <= r->due && (number > 0 || !asked))
+      return ASP_OK;
     return aspi_text_fail(&t->text, t->text.line, error,
-                          "no unit of the heights is stated before the first numbers; say which "
-                          "unit of length they are in (reader: unit_z)");
-  raw->columns = (size_t)t->due;
+                          "column %d is asked for; the file has %d columns", number, r->due);
+  }
+  for (*found = 0; *found < t->columns; ++*found) {
+    const char *name = t->column[*found].name;
+    size_t length = strcspn(name, "([{/_ ");
+    if (strcasecmp(name, asked) == 0 ||
+        (strlen(asked) == length && strncasecmp(name, asked, length) == 0))
+      return ASP_OK;
+  }
+  return aspi_text_fail(&t->text, t->text.line, error,
+                        "column '%.40s' is asked for; none of the %d columns has that name", asked,
+                        r->due);
+}
+
+/* The columns that neither the user nor names state. Of two columns the first is that of positions
+ * where no name is known, and the other one that of heights where one is named as positions. */
+static void complete(reader *r, bool alone) {
+  int *x = &r->column[X], *z = &r->column[Z], named = r->table->columns;
+  int position = first_of(r, positions, *z), height = first_of(r, heights, *x);
+  bool none = position < 0 && height < 0;
+  if (named == 0 || (none && r->due <= 2 && !alone)) {
+    *x = *x >= 0 || alone ? *x : *z == 0 && r->due > 1 ? 1 : 0;
+    *z = *z >= 0 ? *z : alone || *x == 1 ? 0 : 1;
+  } else if (alone && r->due == 1) {
+    *z = 0;
+  }
+  *z = *z >= 0 ? *z : height;
+  *x = *x < 0 && !alone ? first_of(r, positions, *z) : *x;
+  if (*z < 0 && *x >= 0 && r->due == 2 && unit_in(&r->table->column[1 - *x]) > 0)
+    *z = 1 - *x;
+}
+
+static asp_code find_units(reader *r, asp_error *error) {
+  const aspi_profile_options *o = r->options;
+  for (int k = X; k <= Z; k++) {
+    int at = r->column[k];
+    double own = k < Z ? o->unit_x : o->unit_z, factor = k == Z ? length_of(r, key_factor, 1) : 0;
+    const aspi_column *c = at >= 0 && at < r->table->columns ? &r->table->column[at] : NULL;
+    double unit = own > 0 ? own : c && unit_in(c) > 0 ? unit_in(c) : factor;
+    r->unit[k] = k < Z && at < 0 ? 1 : unit > 0 ? unit : length_of(r, key_unit, 1);
+    if (!(r->unit[k] > 0) && r->column[Z] < 0)
+      return fail(r, error,
+                  "no unit of the heights is stated before the first numbers; say which unit of "
+                  "length they are in (reader: unit_z)",
+                  0);
+    if (!(r->unit[k] > 0))
+      return fail(r, error,
+                  "no unit of length is stated of column %d before the first numbers; say which "
+                  "unit of length the columns are in (reader: unit_x, unit_z)",
+                  at + 1);
+    if (k == Z && c && is_of(depths, c))
+      r->unit[k] *= -1;
+  }
+  return ASP_OK;
+}
+
+static asp_code choose_profile(reader *r, asp_error *error) {
+  const aspi_profile_options *o = r->options;
+  bool alone = r->step[0] > 0;
+  int named = r->table->columns, *x = &r->column[X], *z = &r->column[Z];
+  asp_code code = alone ? ASP_OK : find_asked(r, o->x_column, 0, x, error);
+  code = code ? code : find_asked(r, o->z_column, o->column, z, error);
+  if (code)
+    return code;
+  if (*x >= 0 && *x == *z)
+    return fail(r, error, "column %d is asked for as positions and as heights", *x + 1);
+  bool by_user = *x >= 0;
+  if (*z < 0 && r->due > (alone ? 1 : 2) && named < r->table->count)
+    return aspi_text_fail(&r->table->text, r->table->text.line, error,
+                          "%d columns under %d names%s; " ASK_COLUMNS
+                          "; a matrix of heights, or x, y and z, is a map (surface map)",
+                          r->due, named,
+                          r->table->separator == ',' ? " (or " DECIMAL_COMMAS ")" : "");
+  if (!alone && r->due == 1)
+    return fail(r, error,
+                "heights alone of a profile need the step between them, reader: step_x%.0d", 0);
+  complete(r, alone);
+  if (*z < 0 || (*x < 0 && !alone))
+    return fail(r, error,
+                *z < 0 ? "no column is named as a height; " ASK_COLUMNS
+                       : "no column is named as a position; " ASK_COLUMNS,
+                0);
+  int y = first_of(r, "y", *z);
+  bool both = y >= 0 && !by_user && *x >= 0 && first_of(r, "x", -1) == *x;
+  r->column[Y] = both ? y : -1;
+  return find_units(r, error);
+}
+
+static asp_code choose_map(reader *r, asp_error *error) {
+  int x = first_of(r, "x", -1), y = first_of(r, "y", -1), z = first_of(r, "z", -1);
+  z = z < 0 ? first_of(r, heights, -1) : z;
+  bool named = x >= 0 && y >= 0 && z >= 0;
+  for (int k = X; k <= Z; k++)
+    r->column[k] = named ? (const int[]){x, y, z}[k] : r->due == 3 ? k : -1;
+  return find_units(r, error);
+}
+
+/* ---- rows ---- */
+
+/* Kind of a field that must be there, of a height one that may be missing. */
+static bool fits(reader *r) {
+  const aspi_table *t = r->table;
+  double value;
+  bool good = t->count > 0, matrix = r->column[Z] < 0;
+  for (int i = 0; matrix && i < t->count && good; i++)
+    good = aspi_table_field(t, i, &value) != ASP_WORD_OTHER;
+  for (int k = X; k <= Z && !matrix && good; k++) {
+    int at = r->column[k];
+    aspi_word word =
+        at >= 0 && at < t->all ? aspi_table_field(t, at, &r->value[k]) : ASP_WORD_OTHER;
+    good = at < 0 || word == ASP_WORD_NUMBER || (k == Z && word == ASP_WORD_MISSING);
+  }
+  return good;
+}
+
+static asp_code fail_line(const reader *r, size_t line, const char *shown, asp_error *error) {
+  return aspi_text_fail(&r->table->text, line, error,
+                        "'%s' where numbers are expected (or a height that is missing: nan, bad, "
+                        "--- or nothing)",
+                        shown);
+}
+
+/* The beginning of the line at hand, and if there are digits in it. */
+static bool show(const aspi_table *t, char *shown, size_t size) {
+  bool digits = false;
+  *shown = '\0';
+  for (int i = 0; i < t->count; i++) {
+    digits = digits || strpbrk(t->fields[i], "0123456789");
+    aspi_append(shown, size, "%s%s", i > 0 ? (const char[]){t->separator, '\0'} : "", t->fields[i]);
+    if (strlen(shown) + 1 >= size)
+      break;
+  }
+  return digits;
+}
+
+/* Checks the number of fields of the row at hand. */
+static asp_code check_count(const reader *r, asp_error *error) {
+  const aspi_table *t = r->table;
+  bool matrix = r->column[Z] < 0, comma = t->separator == ',';
+  int count = t->all >= r->due && t->count < r->due ? r->due : t->count;
+  if (count > r->due || (matrix && count < r->due))
+    return aspi_text_fail(&t->text, t->text.line, error,
+                          "%d fields, the first line of numbers has %d%s", count, r->due,
+                          comma ? ": " DECIMAL_COMMAS : "");
+  for (int i = 0; i < t->count && matrix && comma; i++)
+    if (*t->fields[i] == '0' && isdigit((unsigned char)t->fields[i][1]))
+      return aspi_text_fail(&t->text, t->text.line, error,
+                            "numbers that begin with a zero: " DECIMAL_COMMAS);
+  return ASP_OK;
+}
+
+/* Reads the next row. A line of another kind is the end of the rows, unless there are rows behind
+ * it and the header does not say that all were read. */
+static asp_code next_row(reader *r, bool *found, asp_error *error) {
+  aspi_table *t = r->table;
+  char first_shown[48], shown[48];
+  size_t other = 0;
+  double value;
+  asp_code code;
+  while (!(code = aspi_table_line(t, found, error)) && *found) {
+    bool full = r->stated > 0 && t->rows >= r->stated;
+    bool good = fits(r),
+         first = (other || !good) && aspi_table_field(t, 0, &value) == ASP_WORD_NUMBER;
+    if (good && !other) {
+      t->rows++;
+      return check_count(r, error);
+    }
+    bool digits = show(t, other ? shown : first_shown, sizeof shown);
+    if (!full && (other ? good && first : first || t->rows < ROWS_LEAST))
+      return fail_line(r, other ? other : t->text.line, first_shown, error);
+    other = other ? other : t->text.line;
+    r->left_line = r->left == 0 ? t->text.line : r->left_line;
+    r->left += digits;
+  }
+  r->end_line = other;
+  return code;
+}
+
+static double number_at(const reader *r, int column) {
+  double value;
+  aspi_table_field(r->table, column, &value);
+  return value;
+}
+
+/* The height in a column in m; notes where it is bad. */
+static double height_at(reader *r, int column, aspi_raw *raw) {
+  size_t line = r->table->text.line;
+  double z =
+      aspi_missing_note(&r->missing, r->column[Z] < 0 ? number_at(r, column) : r->value[Z], line);
+  if (r->column[VALID] >= 0 && fabs(number_at(r, r->column[VALID])) <= 0)
+    z = NAN;
+  if (isnan(z) && raw->bad++ == 0)
+    raw->bad_line = line;
+  return z * r->unit[Z];
+}
+
+/* True if `count` heights, `stride` apart, rise evenly; *step is that of one. */
+static bool is_even(const double *z, size_t count, size_t stride, double *step) {
+  *step = (z[(count - 1) * stride] - z[0]) / (double)(count - 1);
+  bool even = count >= ROWS_LEAST && *step > 0;
+  for (size_t i = 1; i < count && even; i++)
+    even = fabs(z[i * stride] - z[(i - 1) * stride] - *step) <= UNEVEN * *step;
+  return even;
+}
+
+/* Takes the first row and column of a matrix for axes where both rise evenly, in units of x. */
+static void take_axes(reader *r, double unit_x, aspi_raw *raw) {
+  size_t n = raw->columns, rows = raw->rows;
+  double step[2];
+  if (n < 2 || rows < 2 || !is_even(raw->z + 1, n - 1, 1, &step[0]) ||
+      !is_even(raw->z + n, rows - 1, n, &step[1]))
+    return;
+  for (size_t i = 1; i < rows; i++)
+    memmove(raw->z + (i - 1) * (n - 1), raw->z + i * n + 1, (n - 1) * sizeof *raw->z);
+  raw->columns--;
+  raw->rows--;
+  raw->points = raw->columns * raw->rows;
+  for (int k = 0; k < 2; k++)
+    r->step[k] = r->step[k] > 0 ? r->step[k] : step[k] / r->unit[Z] * unit_x;
+}
+
+static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
+  const aspi_profile_options *o = r->options;
+  asp_code code = ASP_OK;
+  raw->columns = (size_t)r->due;
   for (bool found = true; found && !code;) {
-    for (int i = 0; i < t->count && !code; i++)
-      code = aspi_raw_add(raw, height_of(t, &t->fields[i], unit, missing, raw), error);
+    for (int i = 0; i < r->due && !code; i++)
+      code = aspi_raw_add(raw, height_at(r, i, raw), error);
     raw->rows++;
     if (!code)
-      code = aspi_table_next(t, NULL, &found, error);
+      code = next_row(r, &found, error);
   }
+  if (code)
+    return code;
+  take_axes(r, o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1), raw);
+  double side[2] = {length_of(r, key_width, 1e-9), length_of(r, key_height, 1e-9)}; /* SPIP: nm */
   for (int k = 0; k < 2; k++)
-    raw->step[k] = options->step[k] > 0 ? options->step[k]
-                                        : t->side[k] / (double)(k ? raw->rows : raw->columns);
-  if (!code && !(raw->step[0] > 0))
+    raw->step[k] = r->step[k] > 0 ? r->step[k] : side[k] / (double)(k ? raw->rows : raw->columns);
+  if (!(raw->step[0] > 0))
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: a matrix of heights does not say how far apart its points are; tell "
                      "it (reader: step_x, step_y)",
-                     t->text.path);
+                     r->table->text.path);
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return code;
 }
 
-/* Lines of positions and heights; of a profile without positions they are the step apart. */
-static asp_code read_points(aspi_table *t, const aspi_axes *axes,
-                            const aspi_profile_options *options, aspi_missing *missing,
-                            aspi_points *points, aspi_raw *raw, asp_error *error) {
-  const int *at = axes->column;
+/* Numbers above a single column that count what is below them are no heights. */
+static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
+  size_t skip = 0;
+  for (size_t i = 0; i < 2 && i + ROWS_LEAST < p->count && skip == 0; i++)
+    if (fabs(p->list[i].z / r->unit[Z] - (double)(p->count - i - 1)) < ASPI_ROUNDING_TEXT)
+      skip = i + 1;
+  if (skip > 1)
+    snprintf(raw->note, sizeof raw->note, "line %zu, above a count of the points, is left out",
+             p->list[0].line);
+  p->count -= skip;
+  memmove(p->list, p->list + skip, p->count * sizeof *p->list);
+  for (size_t i = 0; i < p->count && skip > 0; i++)
+    p->list[i].x = (double)i * r->step[0];
+}
+
+/* Rows of positions and heights; of a profile without positions they are the step apart. */
+static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_error *error) {
+  const int *at = r->column;
   asp_code code = ASP_OK;
-  if (at[0] >= 0 && options->step[0] > 0)
-    return aspi_text_fail(
-        &t->text, t->text.line, error,
-        "the spacing is given (step), but the file has the positions of its points");
+  if (at[X] >= 0 && r->options->step[0] > 0)
+    return fail(r, error,
+                "the spacing is given (step), but the file has the positions of its points%.0d", 0);
   for (bool found = true; found && !code;) {
-    const aspi_field *f = t->fields;
-    double position[2] = {(double)points->count * options->step[0], 0};
-    for (int k = 0; k < 2; k++)
+    double position[2] = {(double)points->count * r->step[0], 0};
+    for (int k = X; k <= Y; k++)
       if (at[k] >= 0) {
-        position[k] = f[at[k]].value;
-        aspi_points_precision(points, f[at[k]].text);
+        position[k] = r->value[k];
+        aspi_points_precision(points, r->table->fields[at[k]]);
       }
-    double z = height_of(t, &f[at[2]], axes->unit[2], missing, raw);
-    code = aspi_points_add(points, (aspi_point){position[0], position[1], z, t->text.line}, error);
+    double z = height_at(r, at[Z], raw);
+    code = aspi_points_add(points, (aspi_point){position[0], position[1], z, r->table->text.line},
+                           error);
     if (!code)
-      code = aspi_table_next(t, axes, &found, error);
+      code = next_row(r, &found, error);
   }
+  if (!code && r->due == 1)
+    drop_count(points, r, raw);
   return code;
 }
 
-/* Notes how the file was read. */
-static void describe(const aspi_table *t, const aspi_axes *axes, aspi_raw *raw) {
-  if (t->due > 2 && !raw->is_map) {
-    raw->column[0] = axes->column[0] + 1;
-    raw->column[1] = axes->column[2] + 1;
-    raw->second_column = axes->column[1] + 1;
+/* Notes how the file was read, and what was not. */
+static void describe(const reader *r, aspi_raw *raw) {
+  if (r->due > 2 && !raw->is_map) {
+    raw->column[0] = r->column[X] + 1;
+    raw->column[1] = r->column[Z] + 1;
+    raw->second_column = r->column[Y] + 1;
   }
-  raw->end_line = t->end_line;
-  raw->were_depths = axes->unit[2] < 0;
+  raw->end_line = r->end_line;
+  raw->were_depths = r->unit[Z] < 0;
+  if (r->stated > 0 && r->stated != r->table->rows)
+    aspi_append(raw->note, sizeof raw->note, "%sthe header states %zu rows, there are %zu",
+                *raw->note ? "; " : "", r->stated, r->table->rows);
+  if (r->left > 0)
+    aspi_append(raw->note, sizeof raw->note,
+                "%s%zu lines with numbers from line %zu on are left out", *raw->note ? "; " : "",
+                r->left, r->left_line);
+}
+
+static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
+  const aspi_profile_options *o = r->options;
+  const aspi_table *t = r->table;
+  aspi_points points = {0};
+  bool chosen = o->x_column && (o->z_column || o->column);
+  if (t->start == 0)
+    return aspi_text_fail(&t->text, t->text.line, error,
+                          "the file ends without a line of two numbers or more (heights alone of "
+                          "a profile need the step between them, reader: step_x)");
+  r->due = t->columns > t->count ? t->columns : t->count;
+  double unit = o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1);
+  for (int k = 0; k < 2; k++)
+    r->step[k] = o->step[k] > 0 || (!raw->is_map && t->count > 1) ? o->step[k]
+                                                                  : length_of(r, key_spacing, unit);
+  r->stated = count_of(r, raw->is_map ? key_rows : key_count);
+  asp_code code = raw->is_map ? choose_map(r, error) : choose_profile(r, error);
+  r->due = r->column[Z] < 0 ? t->count : r->due;
+  r->column[VALID] = r->column[Z] < 0 ? -1 : first_of(r, marks, -1);
+  bool found, matrix = r->column[Z] < 0;
+  if (!code)
+    code = aspi_table_line(r->table, &found, error);
+  if (!code && !fits(r)) {
+    char shown[48];
+    show(t, shown, sizeof shown);
+    code = fail_line(r, t->text.line, shown, error);
+  }
+  code = code ? code : check_count(r, error);
+  if (!code)
+    code = matrix ? read_matrix(r, raw, error) : read_points(r, &points, raw, error);
+  if (!code && !chosen)
+    code = aspi_missing_check(&r->missing, t->text.path, error);
+  describe(r, raw);
+  if (!code && !matrix)
+    code = raw->is_map ? aspi_points_grid(&points, t->text.path, r->unit, raw, error)
+                       : aspi_points_line(&points, t->text.path, r->unit, r->column[Y] >= 0,
+                                          o->resample, raw, error);
+  free(points.list);
+  return code;
 }
 
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error) {
-  aspi_missing missing = {.stated = options->missing};
-  aspi_points points = {0};
-  aspi_axes axes;
-  bool is_matrix, chosen = options->x_column && (options->z_column || options->column);
-  aspi_table *t;
-  asp_code code = aspi_table_open(text, !raw->is_map && options->step[0] > 0 ? 1 : 2, &t, error);
-  if (!code)
-    code = aspi_table_find(t, options, raw->is_map, &axes, &is_matrix, error);
-  if (!code && is_matrix)
-    code = read_matrix(t, options, &missing, raw, error);
-  else if (!code)
-    code = read_points(t, &axes, options, &missing, &points, raw, error);
-  if (!code && !chosen)
-    code = aspi_missing_check(&missing, text->path, error);
-  if (!code && !is_matrix) {
-    describe(t, &axes, raw);
-    code = raw->is_map ? aspi_points_grid(&points, text->path, axes.unit, raw, error)
-                       : aspi_points_line(&points, text->path, axes.unit, axes.column[1] >= 0,
-                                          options->resample, raw, error);
-  }
-  free(points.list);
-  aspi_table_close(t);
+  reader r = {
+      .options = options, .column = {-1, -1, -1, -1}, .missing = {.stated = options->missing}};
+  r.table = aspi_table_open(text->stream, text->path,
+                            raw->is_map || !(options->step[0] > 0) ? 2 : 1, error);
+  asp_code code = r.table ? read(&r, raw, error) : ASP_EDATA;
+  aspi_table_close(r.table);
   return code;
 }

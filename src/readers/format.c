@@ -1,44 +1,68 @@
-/* Detects the format of a measured file by its first bytes.
+/* Detects the format of a measured file by its first bytes. The signatures of closed formats are
+ * those of public files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/read.h"
 
-#include <ctype.h>
 #include <string.h>
 #include <strings.h>
 
-/* Formats of instruments that are closed, or that others read better. */
+#define GWYDDION                                                                                   \
+  "; the free program Gwyddion (gwyddion.net) opens that of an instrument, and saves it as text"
+
+/* Formats that are not read here, and what to do. */
 static const struct {
-  const char *begins, *name;
-} closed[] = {{"DIGITAL SURF", "Digital Surf SUR"},
-              {"DSCOMPRESSED", "Digital Surf SUR"},
-              {"PK\x03\x04", "a zip (X3P, PLUX, VK6, OPDx, or of a spreadsheet)"},
-              {"VK3_", "Keyence VK3"},
-              {"VK4_", "Keyence VK4"},
-              {"\x01\x1b", "MetroPro"},
-              {"GWYP", "Gwyddion's own"},
-              {"\x89HDF", "HDF5"}};
+  const char *begins;
+  size_t length;
+  const char *name, *way;
+} others[] = {{"DSCOMPRESSED", 12, "Digital Surf SUR, compressed", GWYDDION},
+              {"VK3_", 4, "Keyence VK3", GWYDDION},
+              {"VK4_", 4, "Keyence VK4", GWYDDION},
+              {"VK6", 3, "Keyence VK6", GWYDDION},
+              {"\x88\x1b\x03\x6f", 4, "MetroPro", GWYDDION},
+              {"\x88\x1b\x03\x70", 4, "MetroPro", GWYDDION},
+              {"\x88\x1b\x03\x71", 4, "MetroPro", GWYDDION},
+              {"AliconaImaging", 14, "Alicona AL3D", GWYDDION},
+              {"FRTM_GLIDERV1.00", 16, "FRT MicroProf", GWYDDION},
+              {"\\*File list", 11, "Bruker (Veeco) Nanoscope", GWYDDION},
+              {"\\*Force file list", 17, "Bruker (Veeco) Nanoscope", GWYDDION},
+              {"Binary TrueMap", 14, "TrueMap TMD", GWYDDION},
+              {"WSxM file", 9, "Nanotec WSxM", GWYDDION},
+              {"\x01\0Directory", 11, "Wyko (Veeco) OPD", GWYDDION},
+              {"GWYP", 4, "Gwyddion's own", GWYDDION},
+              {"\x89HDF", 4, "HDF5", "; save its heights as text"},
+              {"\x93NUMPY", 6, "NumPy", "; save it as text, numpy.savetxt"},
+              {"\xd0\xcf\x11\xe0", 4, "Mountains or an old Excel",
+               "; save a spreadsheet as CSV, and a surface as SUR or text"},
+              {"\x1f\x8b", 2, "gzip", "; unpack it first: gunzip"}};
+
+/* A date and then zeros. */
+static bool is_sensofar(const char *begin) {
+  return strlen(begin) == 24 && begin[3] == ' ' && begin[13] == ':' && begin[16] == ':';
+}
 
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error) {
-  enum { LOOKED_AT = 32 };
-  char begin[LOOKED_AT] = "";
-  int c = ' ';
-  for (size_t i = 0; i + 1 < sizeof begin && (c = aspi_text_character(text)) != EOF;)
-    if (i > 0 || !isspace(c))
-      begin[i++] = (char)c;
+  char begin[128] = "", *first = begin;
+  const char *name = NULL, *way = GWYDDION;
+  size_t size = aspi_text_bytes(text, begin, sizeof begin - 1);
   asp_code code = aspi_text_rewind(text, error);
-  for (size_t i = 0; i < sizeof closed / sizeof *closed && !code; i++)
-    if (strncmp(begin, closed[i].begins, strlen(closed[i].begins)) == 0)
-      code =
-          aspi_fail(error, ASP_EDATA,
-                    "%.200s: the format is %s, which is not read here; the free program Gwyddion "
-                    "(gwyddion.net) opens that of an instrument, and saves it as SDF or as text",
-                    text->path, closed[i].name);
+  for (size_t i = 0; i < sizeof others / sizeof *others && !name; i++)
+    if (size >= others[i].length && memcmp(begin, others[i].begins, others[i].length) == 0) {
+      name = others[i].name;
+      way = others[i].way;
+    }
+  name = !name && size > 24 && is_sensofar(begin) ? "Sensofar PLU" : name;
+  if (name && !code && !strstr(begin, "ASCII")) /* as WSxM begins its text, too */
+    return aspi_fail(error, ASP_EDATA, "%.200s: binary, of %s%s", text->path, name, way);
+  first += strncmp(begin, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+  first += strspn(first, " \t\r\n");
   bool sdf =
-      *begin && (strncasecmp(begin + 1, "ISO-", 4) == 0 || strncasecmp(begin + 1, "BCR-", 4) == 0);
-  *format = !sdf                                    ? ASP_FORMAT_TEXT
-            : tolower((unsigned char)*begin) == 'b' ? ASP_FORMAT_SDF_BINARY
-                                                    : ASP_FORMAT_SDF_TEXT;
+      *first && (strncasecmp(first + 1, "ISO-", 4) == 0 || strncasecmp(first + 1, "BCR-", 4) == 0);
+  *format = sdf && (*first == 'b' || *first == 'B')   ? ASP_FORMAT_SDF_BINARY
+            : sdf                                     ? ASP_FORMAT_SDF_TEXT
+            : strncmp(first, "DIGITAL SURF", 12) == 0 ? ASP_FORMAT_SUR
+            : strncmp(first, "PK\x03\x04", 4) == 0    ? ASP_FORMAT_ZIP
+                                                      : ASP_FORMAT_TEXT;
   return code;
 }

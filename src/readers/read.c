@@ -87,24 +87,20 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, a
                          asp_error *error) {
   aspi_format format = ASP_FORMAT_TEXT;
   asp_code code = aspi_format_find(text, &format, error);
-  bool binary = format == ASP_FORMAT_SDF_BINARY;
   if (!code && raw->is_map)
     code = refuse("tip lambda_s cutoff column x_column z_column row",
                   ", which is for profiles, not for maps", text->path, options, error);
   if (!code && format != ASP_FORMAT_TEXT)
     code = refuse("unit step missing x_column z_column",
-                  "; a file in SDF states its units, spacing and bad points itself", text->path,
+                  "; SDF, SUR and X3P state their units, spacing and bad points", text->path,
                   options, error);
   else if (!code)
     code = refuse("row", "; text in columns has no rows", text->path, options, error);
-  if (!code && binary && !raw->is_map)
-    code = aspi_fail(error, ASP_EDATA,
-                     "%.200s: this is SDF in binary, which is read as a map, not as a profile",
-                     text->path);
   if (code)
     return code;
-  return format == ASP_FORMAT_TEXT ? aspi_read_columns(text, options, raw, error)
-                                   : aspi_read_sdf(text, binary, options, raw, error);
+  return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, options, raw, error)
+         : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, options, raw, error)
+                                    : aspi_read_sdf(text, format, options, raw, error);
 }
 
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
@@ -127,12 +123,16 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
   }
   if (!code)
     code = aspi_mend(&raw, path, options, report, error);
+  aspi_text_close(&text);
   if (file != stream)
     fclose(file);
   if (code) {
     free(raw.z);
     return NULL;
   }
+  if (*raw.note)
+    aspi_append(report->warnings, sizeof report->warnings, "%s%s", *report->warnings ? "; " : "",
+                raw.note);
   write_report(report, &raw, options);
   for (size_t i = 0; i < raw.points; i++)
     raw.z[i] *= options->meter;

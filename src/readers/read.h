@@ -81,6 +81,7 @@ typedef struct aspi_raw {
   int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
   size_t end_line;              /* where the data end before the file does; 0: nowhere */
   double step_least, step_most; /* m */
+  char note[160];               /* numbers of the file that were not read, or "" */
 } aspi_raw;
 
 /* Adds a height (m). */
@@ -92,20 +93,33 @@ size_t aspi_raw_count_bad(const aspi_raw *raw);
 void aspi_raw_range(const aspi_raw *raw, double *least, double *most);
 
 /* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the text.
- * ASP_EDATA for closed formats, with the name of a free program that converts them. */
+ * ASP_EDATA for others that are known, with the name of a free program that converts them. */
 typedef enum aspi_format {
   ASP_FORMAT_TEXT,
   ASP_FORMAT_SDF_TEXT,
-  ASP_FORMAT_SDF_BINARY
+  ASP_FORMAT_SDF_BINARY,
+  ASP_FORMAT_SUR,
+  ASP_FORMAT_ZIP
 } aspi_format;
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
-/* The readers of a text at its beginning: columns, or SDF. They leave raw->z to be freed by the
- * caller, on error too. */
+/* Heights on a grid, of which the scales are m; NAN for what a header does not say. */
+typedef struct aspi_sdf {
+  double points, profiles, x_scale, y_scale, z_scale, compression;
+  int type;    /* of binary heights, by their number in SDF; -1 in ASCII */
+  double mark; /* the height, before z_scale, that is none; NAN: there is no such mark */
+} aspi_sdf;
+
+/* The readers of a text at its beginning, columns, SDF or SUR, X3P, and of the heights of a grid.
+ * They leave raw->z to be freed by the caller, on error too. */
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error);
-asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
+asp_code aspi_read_sdf(aspi_text *text, aspi_format format, const aspi_profile_options *options,
                        aspi_raw *raw, asp_error *error);
+asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                       asp_error *error);
+asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profile_options *options,
+                        aspi_raw *raw, asp_error *error);
 
 /* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
  * into the report. */

@@ -1,11 +1,14 @@
-/* SDF (ISO 25178-71, and the older BCR-1.0 with the same layout). In ASCII: a header of `key =
- * value` lines, a star, the heights of all profiles in turn, a star, a trailer. In binary, for maps
- * only: 8 bytes of version, 10 of maker, two dates of 12, counts of 2 bytes each (of 4 in
- * version 2.0), four doubles, three single bytes, and the heights row after row, all in
- * little-endian order. A map is read whole; a profile is one of its rows or columns.
+/* Grids of heights: SDF (ISO 25178-71, and the older BCR-1.0 with the same layout) and SUR of
+ * Digital Surf. SDF in ASCII: a header of `key = value` lines, a star, the heights of all profiles
+ * in turn, a star, a trailer. In binary: 8 bytes of version, 10 of maker, two dates of 12, counts
+ * of 2 bytes each (of 4 in version 2.0), four doubles, three single bytes, and the heights row
+ * after row. SUR: 512 bytes, of which those that matter are at the places below (as Gwyddion's
+ * surffile.c has them), a comment and a private part, and the heights. All in little-endian order.
+ * A map is read whole; a profile is one of its rows or columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
+#include "base/units.h"
 #include "readers/read.h"
 #include "surface/heights.h"
 
@@ -14,16 +17,10 @@
 #include <string.h>
 #include <strings.h>
 
-/* A header, NAN for absent keys; type: of binary heights, -1 in ASCII. */
-typedef struct sdf {
-  double points, profiles, x_scale, y_scale, z_scale, compression;
-  int type;
-} sdf;
-
 /* ---- header in ASCII ---- */
 
 /* The variable of a key; NULL for keys that do not matter here. */
-static double *place_of(sdf *h, const char *key) {
+static double *place_of(aspi_sdf *h, const char *key) {
   const struct {
     const char *key;
     double *place;
@@ -37,7 +34,7 @@ static double *place_of(sdf *h, const char *key) {
 }
 
 /* One line of the header; *ends at the star. */
-static asp_code read_key(aspi_text *text, sdf *h, bool *ends, asp_error *error) {
+static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *error) {
   char *line = aspi_text_trim(text->text);
   *ends = strcmp(line, "*") == 0;
   if (*ends || !*line)
@@ -50,14 +47,14 @@ static asp_code read_key(aspi_text *text, sdf *h, bool *ends, asp_error *error) 
   *equals = '\0';
   char *key = aspi_text_trim(line), *value = aspi_text_trim(equals + 1);
   double *place = place_of(h, key);
-  if (place && aspi_text_number(value, place) != ASP_WORD_NUMBER)
+  if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
     return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
                           value);
   return ASP_OK;
 }
 
-static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
-  *h = (sdf){NAN, NAN, NAN, NAN, NAN, 0, -1};
+static asp_code read_text_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
+  *h = (aspi_sdf){NAN, NAN, NAN, NAN, NAN, 0, -1, NAN};
   for (bool ends = false, version = true, found; !ends;) { /* the version stands first */
     asp_code code = aspi_text_line(text, &found, error);
     if (!code && found && version) {
@@ -71,6 +68,7 @@ static asp_code read_text_header(aspi_text *text, sdf *h, asp_error *error) {
     if (code)
       return code;
   }
+  text->rest = NULL; /* the star was read */
   return ASP_OK;
 }
 
@@ -130,69 +128,102 @@ static asp_code cut_short(const aspi_text *text, const char *what, asp_error *er
   return aspi_fail(error, ASP_EDATA, "%.200s: the file ends within its %s", text->path, what);
 }
 
-static asp_code read_binary_header(const aspi_text *text, sdf *h, asp_error *error) {
+static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
   unsigned char head[96];
   size_t width = 2, at = 8 + 10 + 12 + 12;
-  if (fread(head, 1, 8, text->stream) != 8)
+  if (aspi_text_bytes(text, head, 8) != 8)
     return cut_short(text, "header", error);
   if (memcmp(head + 1, "ISO-2", 5) == 0)
     width = 4;
   size_t length = at + 2 * width + 4 * 8 + 3;
-  if (fread(head + 8, 1, length - 8, text->stream) != length - 8)
+  if (aspi_text_bytes(text, head + 8, length - 8) != length - 8)
     return cut_short(text, "header", error);
   const unsigned char *scales = head + at + 2 * width;
-  *h = (sdf){.points = (double)whole(head + at, (int)width),
-             .profiles = (double)whole(head + at + width, (int)width),
-             .x_scale = real64(scales),
-             .y_scale = real64(scales + 8),
-             .z_scale = real64(scales + 16),
-             .compression = scales[32],
-             .type = scales[33]};
+  *h = (aspi_sdf){.points = (double)whole(head + at, (int)width),
+                  .profiles = (double)whole(head + at + width, (int)width),
+                  .x_scale = real64(scales),
+                  .y_scale = real64(scales + 8),
+                  .z_scale = real64(scales + 16),
+                  .compression = scales[32],
+                  .type = scales[33],
+                  .mark = NAN};
+  return ASP_OK;
+}
+
+/* The unit of a length in SUR, 16 bytes. */
+static double unit_at(const unsigned char *bytes) {
+  char name[17];
+  snprintf(name, sizeof name, "%.16s", (const char *)bytes);
+  const char *unit = aspi_text_trim(name);
+  return aspi_unit_meters(unit, strlen(unit));
+}
+
+static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
+  enum { TYPE = 18, MISSING = 86, BITS = 98, LEAST = 100, COUNTS = 108, STEPS = 120, UNITS = 180 };
+  enum { COMMENT = 334, HEAD = 512 };
+  unsigned char head[HEAD];
+  if (aspi_text_bytes(text, head, sizeof head) != sizeof head)
+    return cut_short(text, "header", error);
+  *h = (aspi_sdf){.points = (double)whole(head + COUNTS, 4),
+                  .profiles = (double)whole(head + COUNTS + 4, 4),
+                  .x_scale = real32(head + STEPS) * unit_at(head + UNITS),
+                  .y_scale = real32(head + STEPS + 4) * unit_at(head + UNITS + 16),
+                  .z_scale = real32(head + STEPS + 8) * unit_at(head + UNITS + 32),
+                  .type = whole(head + BITS, 2) == 32   ? 6
+                          : whole(head + BITS, 2) == 16 ? 5
+                                                        : -2,
+                  .mark = whole(head + MISSING, 2) ? height_of(head + LEAST, 6) - 2 : NAN};
+  for (uint64_t skip = whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2); skip > 0; skip--)
+    aspi_text_bytes(text, head, 1);
+  if (whole(head + TYPE, 2) > 2)
+    return aspi_fail(error, ASP_EDATA,
+                     "%.200s: a SUR file of type %d, which is neither a profile nor a surface",
+                     text->path, (int)whole(head + TYPE, 2));
   return ASP_OK;
 }
 
 /* ---- heights ---- */
 
 /* A height, before z_scale; NAN where it is marked as bad. */
-static asp_code read_height(aspi_text *text, const sdf *h, size_t index, double *height,
+static asp_code read_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
                             asp_error *error) {
   if (h->type >= 0) {
     unsigned char bytes[8];
     size_t size = (size_t)size_of[h->type];
-    if (fread(bytes, 1, size, text->stream) != size)
+    if (aspi_text_bytes(text, bytes, size) != size)
       return cut_short(text, "heights", error);
     *height = height_of(bytes, h->type);
+    *height = fabs(*height - h->mark) <= 0 ? NAN : *height;
     return ASP_OK;
   }
-  bool found;
-  asp_code code = aspi_text_word(text, &found, error);
+  char *word;
+  asp_code code = aspi_text_word(text, &word, error);
   if (code)
     return code;
-  if (!found || strcmp(text->text, "*") == 0)
+  if (!word || strcmp(word, "*") == 0)
     return aspi_text_fail(text, text->line, error,
                           "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f",
                           index, h->points, h->profiles);
-  if (aspi_text_number(text->text, height) == ASP_WORD_OTHER)
-    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected",
-                          text->text);
+  if (aspi_text_number(word, false, height) == ASP_WORD_OTHER)
+    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected", word);
   return ASP_OK;
 }
 
 /* The star behind the heights in ASCII. */
-static asp_code read_end(aspi_text *text, const sdf *h, asp_error *error) {
-  bool found = false;
-  asp_code code = h->type < 0 ? aspi_text_word(text, &found, error) : ASP_OK;
-  if (!code && found && text->text[0] != '*')
+static asp_code read_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
+  char *word = NULL;
+  asp_code code = h->type < 0 ? aspi_text_word(text, &word, error) : ASP_OK;
+  if (!code && word && *word != '*')
     code = aspi_text_fail(text, text->line, error,
                           "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
-                          text->text, h->points, h->profiles);
+                          word, h->points, h->profiles);
   return code;
 }
 
 /* Reads all heights. A map keeps all of them, a profile one row or column, from 1; the other
  * one is 0. */
-static asp_code read_heights(aspi_text *text, const sdf *h, size_t row_kept, size_t column_kept,
-                             aspi_raw *raw, asp_error *error) {
+static asp_code read_heights(aspi_text *text, const aspi_sdf *h, size_t row_kept,
+                             size_t column_kept, aspi_raw *raw, asp_error *error) {
   size_t points = (size_t)h->points, profiles = (size_t)h->profiles;
   for (size_t row = 1; row <= profiles; row++)
     for (size_t column = 1; column <= points; column++) {
@@ -212,7 +243,7 @@ static asp_code read_heights(aspi_text *text, const sdf *h, size_t row_kept, siz
 /* ---- both ---- */
 
 /* Checks the numbers of a header, in ASCII where type is -1. */
-static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_error *error) {
+static asp_code check(const aspi_text *text, const aspi_sdf *h, bool is_map, asp_error *error) {
   const double least = is_map ? ASP_SIDE_LEAST : 1, most = 1e12;
   const struct {
     const char *key;
@@ -241,29 +272,35 @@ static asp_code check(const aspi_text *text, const sdf *h, bool is_map, asp_erro
   return ASP_OK;
 }
 
-asp_code aspi_read_sdf(aspi_text *text, bool binary, const aspi_profile_options *options,
-                       aspi_raw *raw, asp_error *error) {
-  sdf h;
-  asp_code code = binary ? read_binary_header(text, &h, error) : read_text_header(text, &h, error);
-  if (!code)
-    code = check(text, &h, raw->is_map, error);
+asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_options *options,
+                        aspi_raw *raw, asp_error *error) {
+  asp_code code = check(text, h, raw->is_map, error);
   if (code)
     return code;
   bool by_column = options->column > 0;
   int chosen = by_column ? options->column : options->row;
-  double most = by_column ? h.points : h.profiles;
+  double most = by_column ? h->points : h->profiles;
   if (chosen > most)
     return aspi_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
                           by_column ? "column" : "row", chosen, most);
-  raw->step[0] = by_column ? h.y_scale : h.x_scale;
-  raw->step[1] = h.y_scale;
+  raw->step[0] = by_column ? h->y_scale : h->x_scale;
+  raw->step[1] = h->y_scale;
   if (raw->is_map) {
-    raw->columns = (size_t)h.points;
-    raw->rows = (size_t)h.profiles;
+    raw->columns = (size_t)h->points;
+    raw->rows = (size_t)h->profiles;
   }
-  code = read_heights(text, &h, by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0, raw,
+  code = read_heights(text, h, by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0, raw,
                       error);
   raw->read = raw->points;
   raw->step_least = raw->step_most = raw->step[0];
   return code;
+}
+
+asp_code aspi_read_sdf(aspi_text *text, aspi_format format, const aspi_profile_options *options,
+                       aspi_raw *raw, asp_error *error) {
+  aspi_sdf h;
+  asp_code code = format == ASP_FORMAT_SUR          ? read_sur_header(text, &h, error)
+                  : format == ASP_FORMAT_SDF_BINARY ? read_binary_header(text, &h, error)
+                                                    : read_text_header(text, &h, error);
+  return code ? code : aspi_read_grid(text, &h, options, raw, error);
 }

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/cor_table.h"
-#include "base/csv.h"
+#include "base/table.h"
 #include "base/error.h"
 #include "base/monotone.h"
 
@@ -155,30 +155,30 @@ typedef struct columns {
   int angle, speed, cor_n, cor_t;
 } columns;
 
-static asp_code read_point(const aspi_csv *csv, const columns *at, double meter_per_second,
+static asp_code read_point(const aspi_table *file, const columns *at, double meter_per_second,
                            aspi_cor_point *p, asp_error *error) {
   double degrees, speed = 0;
   asp_error wrong;
   asp_code code;
-  if ((code = aspi_csv_number(csv, at->angle, 0, 90, &degrees, NULL, error)) ||
-      (code = aspi_csv_number(csv, at->cor_n, 0, 1e9, &p->cor_n, NULL, error)) ||
-      (code = aspi_csv_number(csv, at->cor_t, -1e9, 1e9, &p->cor_t, NULL, error)) ||
-      (at->speed >= 0 && (code = aspi_csv_number(csv, at->speed, 0, 1e9, &speed, NULL, error))))
+  if ((code = aspi_table_number(file, at->angle, 0, 90, &degrees, NULL, error)) ||
+      (code = aspi_table_number(file, at->cor_n, 0, 1e9, &p->cor_n, NULL, error)) ||
+      (code = aspi_table_number(file, at->cor_t, -1e9, 1e9, &p->cor_t, NULL, error)) ||
+      (at->speed >= 0 && (code = aspi_table_number(file, at->speed, 0, 1e9, &speed, NULL, error))))
     return code;
   p->speed = speed * meter_per_second;
   p->alpha1 = fmin(degrees / DEGREES, ASP_PI / 2);
   return check_energy(p, &wrong)
-             ? aspi_text_fail(&csv->text, csv->text.line, error, "%s", wrong.text)
+             ? aspi_text_fail(&file->text, file->text.line, error, "%s", wrong.text)
              : ASP_OK;
 }
 
 /* All points of the file, to be freed by the caller; NULL on error. */
-static aspi_cor_point *read_points(aspi_csv *csv, double meter_per_second, size_t *count,
+static aspi_cor_point *read_points(aspi_table *file, double meter_per_second, size_t *count,
                                    asp_error *error) {
-  bool means = aspi_csv_find(csv, "cor_n_mean") >= 0; /* as those of a publication are called */
-  columns at = {aspi_csv_need(csv, "alpha1_deg", error), aspi_csv_find(csv, "v1_m_s"),
-                aspi_csv_need(csv, means ? "cor_n_mean" : "cor_n", error),
-                aspi_csv_need(csv, means ? "cor_t_mean" : "cor_t", error)};
+  bool means = aspi_table_find(file, "cor_n_mean") >= 0; /* as those of a publication are called */
+  columns at = {aspi_table_need(file, "alpha1_deg", error), aspi_table_find(file, "v1_m_s"),
+                aspi_table_need(file, means ? "cor_n_mean" : "cor_n", error),
+                aspi_table_need(file, means ? "cor_t_mean" : "cor_t", error)};
   aspi_cor_point *points = NULL;
   asp_code code = at.angle < 0 || at.cor_n < 0 || at.cor_t < 0 ? ASP_EDATA : ASP_OK;
   bool found = !code;
@@ -191,10 +191,10 @@ static aspi_cor_point *read_points(aspi_csv *csv, double meter_per_second, size_
       }
       points = grown;
     }
-    code = aspi_csv_row(csv, &found, error);
+    code = aspi_table_row(file, &found, error);
     if (code || !found)
       break;
-    code = read_point(csv, &at, meter_per_second, &points[*count], error);
+    code = read_point(file, &at, meter_per_second, &points[*count], error);
   }
   if (!code)
     return points;
@@ -203,15 +203,15 @@ static aspi_cor_point *read_points(aspi_csv *csv, double meter_per_second, size_
 }
 
 aspi_cor_table *aspi_cor_table_read(const char *path, double meter_per_second, asp_error *error) {
-  aspi_csv *csv = aspi_csv_open(path, error);
+  aspi_table *file = aspi_table_open(NULL, path, 0, error);
   size_t count = 0;
-  aspi_cor_point *points = csv ? read_points(csv, meter_per_second, &count, error) : NULL;
+  aspi_cor_point *points = file ? read_points(file, meter_per_second, &count, error) : NULL;
   aspi_cor_table *table = NULL;
   asp_error wrong;
   if (points && !(table = aspi_cor_table_create(points, count, &wrong)))
     aspi_fail(error, wrong.code, "%.150s: %.300s", path, wrong.text);
   free(points);
-  aspi_csv_close(csv);
+  aspi_table_close(file);
   return table;
 }
 

@@ -5,7 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/materials.h"
-#include "base/csv.h"
+#include "base/table.h"
 #include "base/error.h"
 
 #include <math.h>
@@ -123,12 +123,12 @@ struct aspi_materials {
 
 enum { NAME, MODULUS, POISSON, DENSITY, YIELD, COLUMNS };
 
-static asp_code read_row(aspi_materials *own, const aspi_csv *csv, const int at[COLUMNS],
+static asp_code read_row(aspi_materials *own, const aspi_table *table, const int at[COLUMNS],
                          asp_error *error) {
   size_t count = (size_t)own->count;
-  const char *name = csv->fields[at[NAME]];
+  const char *name = table->fields[at[NAME]];
   if (!*name || strpbrk(name, " \t,;"))
-    return aspi_text_fail(&csv->text, csv->text.line, error,
+    return aspi_text_fail(&table->text, table->text.line, error,
                           "the name '%s'; it must be one word without commas", name);
   if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
     asp_material **grown = realloc(own->list, (count ? 2 * count : 1) * sizeof *grown);
@@ -142,39 +142,39 @@ static asp_code read_row(aspi_materials *own, const aspi_csv *csv, const int at[
   own->list[own->count++] = m;
   bool no_yield;
   asp_code code;
-  if ((code = aspi_csv_number(csv, at[MODULUS], 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
-      (code = aspi_csv_number(csv, at[POISSON], -1, 0.5, &m->poissons_ratio, NULL, error)) ||
-      (code = aspi_csv_number(csv, at[DENSITY], 1e-300, 1e300, &m->density, NULL, error)) ||
-      (code = aspi_csv_number(csv, at[YIELD], 0, 1e300, &m->yield_stress, &no_yield, error)))
+  if ((code = aspi_table_number(table, at[MODULUS], 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
+      (code = aspi_table_number(table, at[POISSON], -1, 0.5, &m->poissons_ratio, NULL, error)) ||
+      (code = aspi_table_number(table, at[DENSITY], 1e-300, 1e300, &m->density, NULL, error)) ||
+      (code = aspi_table_number(table, at[YIELD], 0, 1e300, &m->yield_stress, &no_yield, error)))
     return code;
   m->yield_stress = no_yield ? 0 : m->yield_stress;
   return ASP_OK;
 }
 
-static asp_code read_rows(aspi_materials *own, aspi_csv *csv, asp_error *error) {
+static asp_code read_rows(aspi_materials *own, aspi_table *table, asp_error *error) {
   static const char *const names[COLUMNS] = {"name", "youngs_modulus_pa", "poissons_ratio",
                                              "density_kg_m3", "yield_stress_pa"};
-  int at[COLUMNS] = {[YIELD] = aspi_csv_find(csv, names[YIELD])};
+  int at[COLUMNS] = {[YIELD] = aspi_table_find(table, names[YIELD])};
   for (int i = 0; i < YIELD; i++)
-    if ((at[i] = aspi_csv_need(csv, names[i], error)) < 0)
+    if ((at[i] = aspi_table_need(table, names[i], error)) < 0)
       return ASP_EDATA;
   for (bool found;;) {
-    asp_code code = aspi_csv_row(csv, &found, error);
+    asp_code code = aspi_table_row(table, &found, error);
     if (!code && found)
-      code = read_row(own, csv, at, error);
+      code = read_row(own, table, at, error);
     if (code || !found)
       return code;
   }
 }
 
 aspi_materials *aspi_materials_read(const char *path, asp_error *error) {
-  aspi_csv *csv = aspi_csv_open(path, error);
-  if (!csv)
+  aspi_table *table = aspi_table_open(NULL, path, 0, error);
+  if (!table)
     return NULL;
   aspi_materials *own = calloc(1, sizeof *own);
-  asp_code code = own ? read_rows(own, csv, error)
+  asp_code code = own ? read_rows(own, table, error)
                       : aspi_fail(error, ASP_ENOMEM, "out of memory for materials");
-  aspi_csv_close(csv);
+  aspi_table_close(table);
   if (!code)
     return own;
   aspi_materials_free(own);

@@ -84,6 +84,28 @@ grep -q "no score, as no mean has a standard error: columns cor_n_se" err || die
 printf 'alpha1_deg,cor_n\n30,0.3\n30,1e6\n30,0.2\n' > million
 refuses 2 "million:3: at 30 degrees the rebound is 500000 times as fast" -- compare model million
 
+# Names as papers print them: of Greek letters, of angles from the normal (by their name, or --from), of columns that only the
+# user knows; a drop test has normal speeds alone. A rebound angle and a ratio of speeds make both coefficients: of Beladjine et
+# al. (2007) 20 degrees, 26.68 degrees and 0.610 are 0.801 and 0.580.
+printf 'α_in [°],e_n [-],e_t [-]\n30,0.84,0.72\n' > greek
+printf 'angle_from_normal_deg,e_n,e_t\n60,0.84,0.72\n' > normal
+printf '60 0.84 0.72\n60 0.84 0.72\n' > nameless
+printf 'impact angle (deg),rebound angle (deg),v_in [m/s],e\n20,26.68,26,0.61\n' > beads
+printf 'v1_n [m/s],v2_n [m/s]\n2,1.5\n' > drop
+means() { "$asperity" compare alonemodel "$@" --near 90,90 2> err | rows /dev/stdin | awk -F, '/^cor/ { printf "%s %.3f;", $2, $13 }'; }
+"$asperity" cor rebound constant 0.5 0.5 --angles 20,30,90 --samples 2 -o alonemodel
+[ "$(means greek)" = '30 0.840;30 0.720;' ] || die "compare: Greek names: $(means greek) $(cat err)"
+[ "$(means normal)" = '30 0.840;30 0.720;' ] || die "compare: angles from the normal: $(means normal) $(cat err)"
+[ "$(means nameless --columns alpha1=1,cor_n=2,cor_t=3 --from normal)" = '30 0.840;30 0.720;' ] || die "compare --columns --from: $(cat err)"
+[ "$(means beads --columns cor_v_plane=e)" = '20 0.801;20 0.580;' ] || die "compare: a rebound angle and a ratio of speeds: $(means beads --columns cor_v_plane=e) $(cat err)"
+[ "$(means drop)" = '90 0.750;90 0.000;' ] || die "compare: normal speeds alone: $(means drop) $(cat err)"
+printf 'theta_i [deg],e_n\n60,0.84\n' > theta
+means theta > got; grep -q "'theta_i \[deg\]' are taken from the wall; --from normal" err || die "compare: no doubt of theta: $(cat err)"
+refuses 2 "also called impact_angle" "means are cor_n_mean" -- compare alonemodel nameless
+refuses 2 "names of columns, each with a number from 1 to 3" -- compare alonemodel nameless --columns alpha1=4
+refuses 2 "cor_alpha is a ratio of angles from the wall" -- compare alonemodel ratios --from normal
+refuses 2 "--columns has no effect without DATA" -- compare alonemodel --columns alpha1=1
+
 # Places by speed and size: the model's impacts there, and no others.
 { "$asperity" cor --angles 30 --speed 20 --samples 30; "$asperity" cor --angles 30 --speed 80 --samples 30 | rows /dev/stdin; "$asperity" cor --angles 30 --speed 80 --dp 50um --samples 30 | rows /dev/stdin; } > model
 printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\n30,300,50,0.4\n' > data

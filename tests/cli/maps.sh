@@ -27,6 +27,6 @@ for columns in "x_column 1" "z_column 2"; do
   refuses 2 "${columns% *} is given, which is for profiles" -- surface surface map sdf --dp 20um --read "$columns"
   refuses 2 "${columns% *} is given, which is for profiles" -- surface surface map matrix --dp 20um --unit um --read "step 1um $columns"
 done
-printf 'DIGITAL SURF' > closed
+printf 'DSCOMPRESSED' > closed
 got=0; "$asperity" surface surface map closed 2> err || got=$?
 [ $got = 2 ] && grep -q Gwyddion err || die "surface --map: a closed format: $(cat err)"

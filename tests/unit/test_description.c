@@ -319,7 +319,7 @@ static void words_are_given_once(void **state) {
 
 static void bad_values_are_named(void **state) {
   (void)state;
-  refuses("surface ra 3.2um rdq 10", "phi_r", "");
+  refuses("surface ra 3.2um rdq 10", "a slope of 84 degrees", "say 10deg?");
   refuses("surface sq 5um sal 1um", "phi_r", "");
   refuses("surface rz 30um", "surface is 'rz'", "ra R");
   refuses("surface rq 5um sdq 0.2", "rdq S, rsm L", "");

@@ -382,8 +382,8 @@ static void bad_files_are_refused(void **state) {
     const char *text, *words;
   } all[] = {
       {"", "ends without a line"},
-      {"DIGITAL SURF", "the free program Gwyddion"},
-      {"PK\x03\x04", "a zip (X3P"},
+      {"DSCOMPRESSED", "the free program Gwyddion"},
+      {"PK\x03\x04", "binary, a zip that cannot be opened"},
       {"bISO-1.0 x", "ends within its header"},
       {"aISO-1.0\nNumPoints = 2\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
        "NumPoints is 2; it must be 3"},

@@ -663,7 +663,7 @@ static void bad_maps_are_named_with_their_line(void **state) {
   expect_error("aISO-1.0\nNumPoints=2.5\nNumProfiles=1\n*\n", NULL, ASP_EDATA, "NumPoints is 2.5");
   expect_error("aISO-1.0\nNumPoints=3\nNumProfiles=1\nXscale=0\nZscale=1\n*\n1 2 1\n", NULL,
                ASP_EDATA, "Xscale is 0");
-  expect_error("bISO-1.0\nNumPoints=3\n", NULL, ASP_EDATA, "SDF in binary");
+  expect_error("bISO-1.0\nNumPoints=3\n", NULL, ASP_EDATA, "ends within its header");
   expect_error(SDF_HEAD "*\n1 2 3\n", NULL, ASP_EDATA, "the heights end after 3");
   expect_error(SDF_HEAD "*\n1 2 3 4 1 2 3 4 1 2 3 4 5\n*\n", NULL, ASP_EDATA, "'5' after the last");
   expect_error(SDF_HEAD "*\n1 2 x\n", NULL, ASP_EDATA, "'x' where a height is expected");

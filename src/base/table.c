@@ -1,0 +1,585 @@
+/* Tables in text files; see table.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/table.h"
+#include "base/error.h"
+#include "base/units.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* With fewer rows than this, a line of words is no end of them, but they were part of the header.
+ * Longer headers are kept up to here. */
+enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
+
+/* ---- the first pass: separator, decimal mark, number of columns ---- */
+
+static const char separators[] = ";\t, ";
+enum { SEMICOLON, TAB, COMMA, BLANK, SEPARATORS };
+
+/* Lines of one kind, and of them for each separator: those that have it between other text, and the
+ * number of fields that most have, by a vote of majority (Boyer & Moore 1981). `gaps`: lines that
+ * have numbers with blanks between them. Of their numbers those with one point, with one comma that
+ * cannot stand between groups of three digits, and with zeros behind it: 0,05. */
+typedef struct tally {
+  size_t lines, gaps, points, decimals, zeros, with[SEPARATORS];
+  int fields[SEPARATORS];
+  long votes[SEPARATORS];
+} tally;
+
+/* A run of digits, points and commas. */
+typedef struct run {
+  int points, commas, head, tail;
+  bool zero; /* the tail begins with one */
+} run;
+
+static void end_run(tally *t, run *r, bool quoted) {
+  if (r->commas == 1 && r->points == 0 && r->head > 0 && r->tail > 0) {
+    t->decimals += r->tail != 3 || r->head > 3;
+    t->zeros += r->zero && r->tail > 1 && !quoted;
+  }
+  t->points += r->points == 1;
+  *r = (run){0};
+}
+
+static void take_character(run *r, char c) {
+  if (c == ',' || c == '.') {
+    *(c == ',' ? &r->commas : &r->points) += 1;
+    r->head += r->tail;
+    r->tail = 0;
+  } else {
+    r->zero = r->tail == 0 ? c == '0' : r->zero;
+    r->tail++;
+  }
+}
+
+/* Adds a line to those of its kind. */
+static void vote(tally *t, const tally *line) {
+  t->lines++;
+  t->gaps += line->gaps > 0;
+  t->points += line->points;
+  t->decimals += line->decimals;
+  t->zeros += line->zeros;
+  for (int k = 0; k < SEPARATORS; k++) {
+    t->with[k] += line->with[k] > 0;
+    if (t->votes[k] == 0)
+      t->fields[k] = line->fields[k];
+    t->votes[k] += t->fields[k] == line->fields[k] ? 1 : -1;
+  }
+}
+
+/* Looks at a line of numbers alone, or of other text with digits in it. */
+static void look(tally *numbers, tally *others, const char *c, const char *end) {
+  tally line = {.fields = {1, 1, 1, 0}};
+  int indent = (int)strspn(c, "\t");
+  bool quoted = false, words = false, digits = false, blank = true;
+  char last = ' ';
+  run r = {0};
+  for (; c < end; c++) {
+    bool is_digit = *c >= '0' && *c <= '9';
+    if (is_digit && r.tail > 0) { /* most characters */
+      r.tail++;
+      continue;
+    }
+    if (is_digit || *c == '.' || *c == ',')
+      take_character(&r, *c);
+    else if (r.head + r.tail + r.commas + r.points > 0)
+      end_run(&line, &r, quoted);
+    quoted ^= *c == '"';
+    if (*c == ',' && !quoted)
+      line.fields[COMMA]++;
+    if (*c == ' ' || *c == '\t' || *c == ';') {
+      blank = blank || (*c != ';' && !quoted);
+      line.fields[*c == ';' ? SEMICOLON : TAB] += !quoted && *c != ' ';
+      continue;
+    }
+    if (blank) {
+      line.fields[BLANK]++;
+      line.gaps += isdigit((unsigned char)last) && (is_digit || *c == '-' || *c == '.');
+    }
+    blank = false;
+    digits = digits || is_digit;
+    if (isalpha((unsigned char)*c) || (unsigned char)*c >= 0x80)
+      words = words || !strchr("eEdD", *c) || (!isdigit((unsigned char)last) && last != '.');
+    last = *c;
+  }
+  end_run(&line, &r, quoted);
+  for (int k = 0; k < BLANK; k++)
+    line.with[k] = (size_t)(line.fields[k] - 1 - (k == TAB ? indent : 0));
+  if (digits)
+    vote(words ? others : numbers, &line);
+}
+
+static void choose(aspi_table *t, const tally *of) {
+  int k = 0;
+  while (k < BLANK && (2 * of->with[k] < of->lines || of->lines == 0))
+    k++;
+  bool decimal = of->fields[COMMA] == 2 && of->points == 0 && of->zeros > 0;
+  if (k == COMMA && (2 * of->gaps >= of->lines || decimal))
+    k = BLANK;
+  t->separator = separators[k];
+  t->width = 2 * of->votes[k] >= (long)of->lines ? of->fields[k] : 0;
+  t->thousands = of->points > 0 && of->decimals == 0;
+}
+
+static asp_code take_survey(aspi_table *t, asp_error *error) {
+  tally numbers = {.lines = 0}, others = {.lines = 0};
+  bool found = true;
+  asp_code code = ASP_OK;
+  while (!(code = aspi_text_line(&t->text, &found, error)) && found) {
+    const char *c = t->text.text, *end = c + t->text.length;
+    const char *first = c + strspn(c, " \t"), *tag = *first == '<' ? strchr(first, '>') : NULL;
+    t->tagged = t->tagged || (tag && t->text.line == 1);
+    if (*first != '#')
+      look(&numbers, &others, tag ? tag + 1 : c, end);
+  }
+  choose(t, numbers.lines >= others.lines ? &numbers : &others);
+  return code ? code : aspi_text_rewind(&t->text, error);
+}
+
+/* ---- lines ---- */
+
+static asp_code fail_memory(const aspi_table *t, asp_error *error) {
+  return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->text.path,
+                   t->text.line);
+}
+
+/* Adds a field, without blanks around it. */
+static asp_code add_field(aspi_table *t, char *first, char *end, asp_error *error) {
+  if (t->all == t->room) {
+    int room = t->room ? 2 * t->room : 64;
+    char **grown = realloc(t->fields, (size_t)room * sizeof *grown);
+    if (!grown)
+      return fail_memory(t, error);
+    t->fields = grown;
+    t->room = room;
+  }
+  while (end > first && isspace((unsigned char)end[-1]))
+    end--;
+  *end = '\0';
+  t->fields[t->all++] = first;
+  t->count = *first ? t->all : t->count;
+  return ASP_OK;
+}
+
+/* Cuts the line at hand. */
+static asp_code cut(aspi_table *t, asp_error *error) {
+  char *c = t->text.text, *end = c + t->text.length, *first;
+  const char separator = t->separator;
+  asp_code code = ASP_OK;
+  t->count = t->all = 0;
+  if (memchr(c, '"', t->text.length)) {
+    while (!code && (first = aspi_text_field(&c, separator)) != NULL)
+      code = add_field(t, first, first + strlen(first), error);
+    return code;
+  }
+  for (bool more = true; more && !code; c++) {
+    while (c < end && (*c == ' ' || (*c != separator && isspace((unsigned char)*c))))
+      c++;
+    if (c == end && separator == ' ')
+      break;
+    first = c;
+    if (separator == ' ')
+      while (c < end && !isspace((unsigned char)*c))
+        c++;
+    else
+      while (c < end && *c != separator)
+        c++;
+    more = c < end;
+    code = add_field(t, first, c, error);
+  }
+  return code;
+}
+
+/* Takes a tag off the front of a line in the header that it does not close, and those behind. */
+static void take_off_tags(aspi_table *t) {
+  char *line = t->text.text + strspn(t->text.text, " \t"), *end = strchr(line, '<');
+  if (end == line && t->rows == 0) {
+    char *text = strchr(line, '>');
+    if (!text || strchr(text, '<'))
+      return;
+    t->text.length -= (size_t)(text + 1 - t->text.text);
+    t->text.text = text + 1;
+  } else if (end && end > line) {
+    *end = '\0';
+    t->text.length = (size_t)(end - t->text.text);
+  }
+}
+
+asp_code aspi_table_line(aspi_table *t, bool *found, asp_error *error) {
+  *found = t->has_row;
+  if (t->has_row) {
+    t->has_row = false;
+    t->rows = 1;
+    return ASP_OK;
+  }
+  for (;;) {
+    asp_code code = aspi_text_line(&t->text, found, error);
+    if (code || !*found)
+      return code;
+    const char *text = t->text.text, *first = text + strspn(text, " \t\v\f");
+    bool empty = !*first && (t->separator == ' ' || !memchr(text, t->separator, t->text.length));
+    if (empty || (*first == '#' && t->start > 0 && t->text.line >= t->start))
+      continue;
+    if (t->tagged)
+      take_off_tags(t);
+    return cut(t, error);
+  }
+}
+
+aspi_word aspi_table_field(const aspi_table *t, int column, double *value) {
+  *value = NAN;
+  if (column < 0 || column >= t->all)
+    return ASP_WORD_MISSING;
+  return aspi_text_number(t->fields[column], t->thousands, value);
+}
+
+/* ---- the header ---- */
+
+static bool begins(const aspi_table *t, int least) {
+  double value;
+  bool numbers = *t->text.text != '#' && (t->width == 0 || t->all == t->width);
+  for (int i = 0; i < least && numbers; i++)
+    numbers = i < t->count && *t->fields[i] && aspi_table_field(t, i, &value) != ASP_WORD_OTHER;
+  for (int i = 0; i < t->count && least == 0 && numbers; i++)
+    if (aspi_table_field(t, i, &value) == ASP_WORD_NUMBER)
+      return true;
+  return numbers && least > 0;
+}
+
+/* Finds the line of the first row; 0 if there is none. Rows above a line of words, fewer than
+ * ROWS_LEAST, are part of the header. */
+static asp_code find_start(aspi_table *t, int least, asp_error *error) {
+  size_t start = 0, first = 0, rows = 0;
+  double value;
+  bool found = true;
+  asp_code code = ASP_OK;
+  while (rows < ROWS_LEAST && !(code = aspi_table_line(t, &found, error)) && found) {
+    bool row = begins(t, least), comment = *t->text.text == '#';
+    if (row && rows++ == 0)
+      start = t->text.line;
+    first = first ? first : start;
+    if (!row && !comment && aspi_table_field(t, 0, &value) != ASP_WORD_NUMBER)
+      rows = 0;
+  }
+  t->start = rows > 0 ? start : first;
+  return code ? code : aspi_text_rewind(&t->text, error);
+}
+
+static asp_code add_header(aspi_table *t, asp_error *error) {
+  size_t need = t->header_length + t->text.length + 2;
+  if (need > HEADER_MOST)
+    return ASP_OK;
+  if (need > t->header_room) {
+    char *grown = realloc(t->header, 2 * need);
+    if (!grown)
+      return fail_memory(t, error);
+    t->header = grown;
+    t->header_room = 2 * need;
+  }
+  memcpy(t->header + t->header_length, t->text.text, t->text.length);
+  memcpy(t->header + t->header_length + t->text.length, "\n", 2);
+  t->header_length = need - 1;
+  return ASP_OK;
+}
+
+/* `sep=;`, as spreadsheets understand it. */
+static asp_code take_separator(aspi_table *t, asp_error *error) {
+  bool found;
+  asp_code code = aspi_text_line(&t->text, &found, error);
+  if (!code && found && strncasecmp(t->text.text, "sep=", 4) == 0 && t->text.text[4]) {
+    t->separator = t->text.text[4];
+    t->forced = true;
+    t->width = 0;
+  }
+  return code ? code : aspi_text_rewind(&t->text, error);
+}
+
+static asp_code read_header(aspi_table *t, asp_error *error) {
+  bool found = true;
+  t->header_is_comment = true;
+  asp_code code = ASP_OK;
+  while (!(code = aspi_text_line(&t->text, &found, error)) && found &&
+         (t->start == 0 || t->text.line < t->start)) {
+    bool comment = t->text.text[strspn(t->text.text, " \t")] == '#';
+    t->header_is_comment = t->header_is_comment && (comment || aspi_text_blank(t->text.text));
+    if (comment && !t->comment && !(t->comment = strdup(strchr(t->text.text, '#'))))
+      return fail_memory(t, error);
+    if (!aspi_text_blank(t->text.text) && !(t->forced && t->text.line == 1) &&
+        (code = add_header(t, error)))
+      break;
+  }
+  if (!code && t->start > 0 && t->tagged)
+    take_off_tags(t);
+  if (!code && !t->comment && !(t->comment = calloc(1, 1)))
+    code = fail_memory(t, error);
+  return code;
+}
+
+/* ---- names ---- */
+
+void aspi_plain(const char *name, char *to, size_t size) {
+  static const char *const written[][2] = {
+      {"\xC2\xB0", "_deg"},  {"\xC2\xB5", "u"},        {"\xCE\xBC", "u"},
+      {"%", "_percent"},     {"\xCE\xB1", "alpha"},    {"\xCE\xB2", "beta"},
+      {"\xCE\xB8", "theta"}, {"\xC3\x85", "angstrom"}, {"\xE2\x84\xAB", "angstrom"},
+      {"\xC3\xB6", "oe"},    {"\xC3\xA9", "e"},        {"\xB0", "_deg"},
+      {"\xB5", "u"},         {"\xC5", "angstrom"},     {"\xF6", "oe"},
+      {"\xE9", "e"}};
+  size_t n = 0;
+  while (*name && n + 12 < size) {
+    size_t i = 0, count = sizeof written / sizeof *written;
+    while (i < count && strncmp(name, written[i][0], strlen(written[i][0])) != 0)
+      i++;
+    const char other[] = {isalnum((unsigned char)*name) ? (char)tolower((unsigned char)*name) : '_',
+                          '\0'};
+    const char *as = i < count ? written[i][1] : other;
+    as += *as == '_' && (n == 0 || to[n - 1] == '_');
+    n += (size_t)sprintf(to + n, "%s", as);
+    name += i < count ? strlen(written[i][0]) : 1;
+  }
+  while (n > 0 && to[n - 1] == '_')
+    n--;
+  to[n] = '\0';
+}
+
+/* A unit as a line of units has them, in brackets or bare. */
+static bool is_unit(const char *field, size_t length) {
+  char name[ASP_PLAIN_MOST], copy[ASP_PLAIN_MOST];
+  snprintf(copy, sizeof copy, "%.*s", (int)length, field);
+  aspi_plain(copy, name, sizeof name);
+  for (char *c = name; *c; c++)
+    *c = *c == '_' ? '/' : *c;
+  return !*name || aspi_unit_find(NULL, name, strlen(name), false);
+}
+
+/* A comment of units alone, as `# mm um`. */
+static bool is_unit_line(const char *line, size_t length) {
+  bool all = true;
+  for (size_t from = 1, n; from < length && all; from += n + 1) {
+    n = strcspn(line + from, " \t;,\n");
+    all = is_unit(line + from, n);
+  }
+  return all;
+}
+
+/* Cuts a line of the header, in place, as names: where blanks separate them,
+ * a unit in brackets belongs to the name before it. The number of names. */
+static asp_code cut_names(aspi_table *t, char *line, asp_error *error) {
+  while (*line && *line != t->separator && strchr("#%; \t", *line))
+    line++;
+  t->text.text = line;
+  t->text.length = strlen(line);
+  asp_code code = cut(t, error);
+  int kept = 0;
+  for (int i = 0; i < t->count && !code; i++) {
+    if (t->separator == ' ' && kept > 0 && strchr("([{", *t->fields[i]))
+      t->fields[kept - 1][strlen(t->fields[kept - 1])] = ' ';
+    else
+      t->fields[kept++] = t->fields[i];
+  }
+  t->count = kept;
+  return code;
+}
+
+/* Copies the last line of the header above `end`, without those that are comments where there are
+ * others, unless they are units; NULL if there is none. *end becomes its place. */
+static asp_code copy_above(const aspi_table *t, size_t *end, char **copy, asp_error *error) {
+  while (*end > 0) {
+    size_t from = *end - 1, length = 0;
+    while (from > 0 && t->header[from - 1] != '\n')
+      from--;
+    length = *end - 1 - from;
+    const char *line = t->header + from;
+    *end = from;
+    if (*line != '#' || t->header_is_comment || is_unit_line(line, length))
+      return (*copy = strndup(line, length)) ? ASP_OK : fail_memory(t, error);
+  }
+  return ASP_OK;
+}
+
+/* Names from the lines of the header above the first row, of which the fields are counted. */
+static asp_code take_names(aspi_table *t, int least, asp_error *error) {
+  const int due = t->count, all = t->all;
+  size_t above = t->header_length;
+  asp_code code = ASP_OK;
+  for (int k = 0; k < 2 && !code; k++) {
+    if ((code = copy_above(t, &above, &t->line[k], error)) == ASP_OK && t->line[k])
+      code = cut_names(t, t->line[k], error);
+    int count = t->line[k] ? (t->count < due && t->all >= due ? due : t->count) : 0;
+    bool fits =
+        k ? count == t->columns : least == 0 || count >= due || (count > 1 && t->separator != ' ');
+    if (code || count < 1 || !fits || (least > 0 && count > all))
+      break;
+    bool units = k == 0;
+    aspi_column *c = t->column = k ? t->column : calloc((size_t)count, sizeof *c);
+    if (!c)
+      return fail_memory(t, error);
+    t->columns = count;
+    for (int i = 0; i < count; i++, c++) {
+      char whole[2 * ASP_PLAIN_MOST];
+      snprintf(whole, sizeof whole, "%.70s %.70s", t->fields[i], k ? c->name : "");
+      aspi_plain(whole, c->plain, sizeof c->plain);
+      c->bracketed = strpbrk(whole, "[(");
+      c->name = t->fields[i];
+      units = units && is_unit(c->name, strlen(c->name));
+    }
+    if (!units)
+      break;
+  }
+  if (!code && t->columns == 0 && least == 0 && due > 0) {
+    t->nameless = true;
+    t->columns = due;
+    if (!(t->column = calloc((size_t)due, sizeof *t->column)))
+      return fail_memory(t, error);
+    for (int i = 0; i < due; i++)
+      t->column[i].name = "";
+  }
+  return code;
+}
+
+static asp_code open_text(aspi_table *t, int least, asp_error *error) {
+  asp_code code = aspi_text_rewind(&t->text, error);
+  if (code || (code = take_survey(t, error)))
+    return code;
+  least = least > 0 && t->width == 1 ? 1 : least;
+  if ((code = take_separator(t, error)) || (code = find_start(t, least, error)) ||
+      (code = read_header(t, error)))
+    return code;
+  if (t->start == 0 && t->header_length == 0 && least == 0)
+    return aspi_text_fail(&t->text, 1, error, "the file ends without column names");
+  /* The fields of the first row are counted in a copy. */
+  char *row = t->text.text, *copy = strndup(row, t->text.length);
+  size_t length = t->text.length;
+  if (!copy)
+    return fail_memory(t, error);
+  t->text.text = copy;
+  code = cut(t, error);
+  code = code ? code : take_names(t, least, error);
+  free(copy);
+  t->text.text = row;
+  t->text.length = length;
+  t->has_row = t->start > 0;
+  return code || !t->has_row ? code : cut(t, error);
+}
+
+aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error) {
+  FILE *file = stream ? stream : aspi_file_open(path, error);
+  aspi_table *t = file ? calloc(1, sizeof *t) : NULL;
+  if (file && !t) {
+    aspi_fail(error, ASP_ENOMEM, "out of memory for the table '%s'", path);
+    if (!stream)
+      fclose(file);
+  }
+  if (!t)
+    return NULL;
+  t->text = aspi_text_create(file, path);
+  t->owns_stream = !stream;
+  if (!open_text(t, least, error))
+    return t;
+  aspi_table_close(t);
+  return NULL;
+}
+
+void aspi_table_close(aspi_table *t) {
+  if (!t)
+    return;
+  if (t->owns_stream)
+    fclose(t->text.stream);
+  aspi_text_close(&t->text);
+  free(t->line[0]);
+  free(t->line[1]);
+  free(t->column);
+  free(t->header);
+  free(t->comment);
+  free(t->fields);
+  free(t);
+}
+
+/* ---- rows and values ---- */
+
+asp_code aspi_table_row(aspi_table *t, bool *found, asp_error *error) {
+  asp_code code = aspi_table_line(t, found, error);
+  if (code || !*found)
+    return code;
+  if (t->all == t->columns || (t->count <= t->columns && t->all > t->columns))
+    return ASP_OK;
+  return aspi_text_fail(&t->text, t->text.line, error, "%d fields under %d column names%s", t->all,
+                        t->columns,
+                        t->separator == ',' && t->all > t->columns
+                            ? " (decimal commas need ; or tabs between the fields)"
+                            : "");
+}
+
+int aspi_table_find(const aspi_table *t, const char *name) {
+  for (int i = 0; i < t->columns; i++)
+    if (strcmp(t->column[i].plain, name) == 0)
+      return i;
+  return -1;
+}
+
+int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
+  int index = aspi_table_find(t, name);
+  if (index >= 0)
+    return index;
+  char list[240] = "";
+  for (int i = 0; i < t->columns; i++)
+    aspi_append(list, sizeof list, " %s", t->column[i].name);
+  if (t->nameless)
+    aspi_text_fail(&t->text, t->text.line, error,
+                   "'%.40s' stands where a column name is expected; the line above the first "
+                   "numbers must name the columns",
+                   t->count ? t->fields[0] : "");
+  else
+    aspi_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", t->text.path, name,
+              list);
+  return -1;
+}
+
+asp_code aspi_table_number(const aspi_table *t, int column, double least, double most,
+                           double *value, bool *missing, asp_error *error) {
+  aspi_word word = aspi_table_field(t, column, value);
+  if (missing)
+    *missing = word == ASP_WORD_MISSING;
+  if (word == ASP_WORD_MISSING && missing)
+    return ASP_OK;
+  if (word != ASP_WORD_NUMBER)
+    return aspi_text_fail(&t->text, t->text.line, error, "%s is '%s'; a number is expected",
+                          t->column[column].name, t->fields[column]);
+  if (*value >= least && *value <= most)
+    return ASP_OK;
+  return aspi_text_fail(&t->text, t->text.line, error, "%s is %g; it must be %g to %g",
+                        t->column[column].name, *value, least, most);
+}
+
+/* The text behind a key at the front of a line and the signs behind it, or NULL. A blank in the key
+ * is any of " _-.". */
+static const char *behind(const char *line, const char *key, size_t length) {
+  static const char blanks[] = " _-.";
+  while (*line != '\n' && !isalnum((unsigned char)*line) && (unsigned char)*line < 0x80)
+    line++;
+  for (size_t i = 0; i < length; i++)
+    if (key[i] == ' ' ? strspn(line, blanks) == 0
+                      : tolower((unsigned char)*line) != (unsigned char)key[i])
+      return NULL;
+    else
+      line += key[i] == ' ' ? strspn(line, blanks) : 1;
+  if (isalnum((unsigned char)*line) || (unsigned char)*line >= 0x80)
+    return NULL;
+  line += strspn(line, " \t:=;,\">");
+  return *line == '\n' ? NULL : line;
+}
+
+const char *aspi_table_value(const aspi_table *t, const char *keys) {
+  for (const char *line = t->header; line && *line; line = strchr(line, '\n') + 1)
+    for (const char *key = keys; *key;
+         key += key[strcspn(key, "|")] ? strcspn(key, "|") + 1 : strcspn(key, "|")) {
+      const char *value = behind(line, key, strcspn(key, "|"));
+      if (value)
+        return value;
+    }
+  return NULL;
+}

@@ -1,0 +1,77 @@
+/* Tables in text files of any kind: a header, rows of numbers and words, and more text. Separator
+ * (semicolon, tab, comma, or any white space), decimal mark and number of columns are found from
+ * all rows, in a first pass; a first line `sep=;` names the separator. Names are in the last line
+ * above the rows, or with a line of units below it, in the last two. Quotes hold a field together,
+ * lines that begin with # are comments, blank lines are skipped. A header may also have lines of
+ * key and value. The file is read as a stream.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_BASE_TABLE_H
+#define ASP_BASE_TABLE_H
+
+#include "base/text.h"
+
+/* Plain names have fewer characters. */
+enum { ASP_PLAIN_MOST = 80 };
+
+typedef struct aspi_column {
+  const char *name; /* as the file has it */
+  /* The name with its unit in small letters, signs and Greek letters written out, all others as
+   * single underscores: `α_1 [°]` is alpha_1_deg. */
+  char plain[ASP_PLAIN_MOST];
+  bool bracketed;
+} aspi_column;
+
+typedef struct aspi_table {
+  aspi_text text;
+  bool owns_stream;
+  char separator;
+  bool forced, thousands; /* the separator by `sep=`; commas stand between groups of digits */
+  int width;              /* fields of most rows, 0 if they differ */
+  int count, all;         /* fields of the line at hand, without empty ones behind and with them */
+  char **fields;
+  int room;
+  size_t start, rows; /* the line of the first row; of those that were taken, for the caller */
+  char *comment;      /* the first one, however long, or NULL */
+  char *header;       /* its lines, each with LF */
+  size_t header_length, header_room;
+  bool tagged;                     /* the first line begins with a tag, as in XML */
+  bool nameless;                   /* there are no names; they are "" */
+  bool header_is_comment, has_row; /* all of it; the row at hand is not taken yet */
+  char *line[2];                   /* copies of the lines that the names are in */
+  int columns;                     /* names */
+  aspi_column *column;
+} aspi_table;
+
+/* Opens a table from a stream, or where that is NULL from the file `path`, and reads up to its
+ * first row, which begins with `least` numbers (0: has a number anywhere) and is not taken yet.
+ * NULL on error; the message names file and line. */
+aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error);
+void aspi_table_close(aspi_table *table);
+
+/* Cuts the next line that is neither blank nor a comment; *found is false at the end. */
+asp_code aspi_table_line(aspi_table *table, bool *found, asp_error *error);
+
+/* The same, and ASP_EDATA if the number of fields differs from the number of names. */
+asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
+
+/* Index of a column by its plain name, or -1; with a message that lists the columns there are. */
+int aspi_table_find(const aspi_table *table, const char *name);
+int aspi_table_need(const aspi_table *table, const char *name, asp_error *error);
+
+/* Kind and number of a field of the line. */
+aspi_word aspi_table_field(const aspi_table *table, int column, double *value);
+
+/* The number in a column of the row, least <= value <= most; *missing where it is empty or a mark
+ * for a missing value. Column -1 is always missing. With `missing` NULL there must be a number. */
+asp_code aspi_table_number(const aspi_table *table, int column, double least, double most,
+                           double *value, bool *missing, asp_error *error);
+
+/* The value behind one of the keys (with | between) in the header: `Width: 100 um`, `Teilung;0,5
+ * um`, `<SPACING>0.25</SPACING>`; NULL if there is none. Up to the end of a line. */
+const char *aspi_table_value(const aspi_table *table, const char *keys);
+
+/* Names and signs as plain text. */
+void aspi_plain(const char *name, char *to, size_t size);
+
+#endif
