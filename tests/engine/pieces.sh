@@ -84,7 +84,7 @@ timestep 2e-5
 thermo 1
 thermo_style custom step f_zlo[9] f_zlo[17]
 thermo_modify format float %.15g
-run 8000'
+run 20000'
     for run in 1 2 3; do echo 'run 20'; done; } > bodies.in
 else # one body at rest, the wall before and behind its fix; LAMMPS leaves out of a set-up what stands behind fix rigid
   for order in before behind; do
