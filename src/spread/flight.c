@@ -202,6 +202,12 @@ asp_code aspi_field_create(aspi_field *f, const asp_heights *heights, double d_p
   return code;
 }
 
+void aspi_field_scale(aspi_field *f, double factor) {
+  for (ptrdiff_t i = 0; i < f->stride * f->columns * f->rows; i++)
+    f->z[i] = (float)(factor * (double)f->z[i]);
+  finish(f);
+}
+
 /* ---- the first hits on a row: a path is a constant value of g = z + x fall, and touches where g
  * passes its running maximum ---- */
 

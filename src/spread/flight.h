@@ -49,6 +49,9 @@ asp_code aspi_field_create(aspi_field *field, const asp_heights *heights, double
                            const aspi_grid *grid, asp_error *error);
 void aspi_field_free(aspi_field *field);
 
+/* Multiplies the heights of a row. */
+void aspi_field_scale(aspi_field *row, double factor);
+
 /* Of a row: the slope of the face behind point i; the slope tan(alpha1) at which a beam falls, at
  * least that with which it meets more than a handful of peaks; and the share of such a beam that
  * first hits each face, into weight[columns], sum 1: the rise of the running maximum of

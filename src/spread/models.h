@@ -35,13 +35,15 @@ typedef struct aspi_path {
   int field;      /* index of a field of the model */
   double azimuth; /* over a map, from x toward y */
   aspi_spot spot;
-  double q; /* over a map: slope of the last face across the flight */
+  double p, q; /* slopes of the last face, along the flight and across it; over a map q is drawn
+                  by the model */
 } aspi_path;
 
 /* A wall with geometry; without heights that of a generated Gaussian profile. */
 typedef struct aspi_relief {
   const asp_surface *surface;
   const asp_heights *heights;
+  bool in_space; /* a profile stands for a wall that is alike in all directions */
 } aspi_relief;
 
 /* A view for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */

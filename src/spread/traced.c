@@ -7,10 +7,15 @@
  * half of the particles fly over each of them backwards. This represents the ensemble better than
  * one flight over a profile eight times as long.
  *
+ * In space a profile is one cut of a wall that is alike in all directions: after a hit the flight
+ * continues at another place of it (places.h), and the path of a disc is scaled to that of a
+ * sphere.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "spread/flight.h"
 #include "spread/models.h"
+#include "spread/places.h"
 #include "surface/rolling.h"
 #include "surface/size_law.h"
 
@@ -27,18 +32,27 @@ enum { PER_LAMBDA = 32, POINTS = 1 << 19 };
 /* Most points of a field over a map, and how many of them a correlation length needs. */
 enum { MAP_POINTS = 1 << 18, MAP_PER_LAMBDA = 10 };
 
+/* A dilated wall, and the index of its places where flights move. */
+typedef struct relief {
+  aspi_field field;
+  aspi_places places;
+} relief;
+
 typedef struct fields {
   aspi_sizes sizes;
   bool is_map;
-  double lay;         /* of a map: direction from x to y */
-  int fields;         /* of a size: 1, or the generated profile and its negative */
-  aspi_field field[]; /* of each size, one after the other */
+  double lay;    /* of a map: direction from x to y */
+  bool moves;    /* in space over a profile: flights that turn continue elsewhere (places.h) */
+  int fields;    /* of a size: 1, or the generated profile and its negative */
+  relief wall[]; /* of each size, one after the other */
 } fields;
 
 static void release(void *data) {
   fields *t = data;
-  for (int i = 0; i < t->sizes.bins * t->fields; i++)
-    aspi_field_free(&t->field[i]);
+  for (int i = 0; i < t->sizes.bins * t->fields; i++) {
+    aspi_field_free(&t->wall[i].field);
+    aspi_places_free(&t->wall[i].places);
+  }
   free(t);
 }
 
@@ -74,6 +88,20 @@ static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_heights
   return code;
 }
 
+/* The same with what flights in space need: the path of a disc is steeper than that of a sphere. */
+static asp_code fill_one(fields *t, const aspi_relief *of, const asp_heights *made, int number,
+                         int bin, asp_error *error) {
+  relief *wall = &t->wall[t->fields * bin + number];
+  double d_p = aspi_sizes_at(&t->sizes, bin);
+  asp_code code = fill(&wall->field, of, made, d_p, error);
+  if (code || !t->moves)
+    return code;
+  double ratio = aspi_sphere_over_disc(asp_surface_kappa(of->surface, d_p));
+  if (ratio < 1)
+    aspi_field_scale(&wall->field, ratio);
+  return aspi_places_create(&wall->places, &wall->field, error);
+}
+
 /* The fields of all sizes over the wall, or over a generated profile (0) or its negative (1). */
 static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error *error) {
   asp_heights *made = NULL;
@@ -87,7 +115,7 @@ static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error
   }
   asp_code code = ASP_OK;
   for (int i = 0; i < t->sizes.bins && !code; i++)
-    code = fill(&t->field[t->fields * i + number], of, made, aspi_sizes_at(&t->sizes, i), error);
+    code = fill_one(t, of, made, number, i, error);
   asp_heights_free(made);
   return code;
 }
@@ -100,12 +128,12 @@ static void *prepare(const aspi_relief *of, const aspi_sizes *sizes, asp_error *
   int number = generated ? 2 : 1, bins = sizes->bins;
   if (generated && asp_surface_kappa(of->surface, sizes->most) < KAPPA_NO_FILTER)
     bins = 1;
-  fields *t = calloc(1, sizeof *t + (size_t)(bins * number) * sizeof *t->field);
+  fields *t = calloc(1, sizeof *t + (size_t)(bins * number) * sizeof *t->wall);
   if (!t) {
     aspi_fail(error, ASP_ENOMEM, "out of memory for %d dilated walls", bins * number);
     return NULL;
   }
-  *t = (fields){{sizes->least, sizes->most, bins}, is_map, d.lay, number};
+  *t = (fields){{sizes->least, sizes->most, bins}, is_map, d.lay, of->in_space && !is_map, number};
   for (int i = 0; i < number; i++)
     if (fill_all(t, of, i, error)) {
       release(t);
@@ -129,26 +157,37 @@ static void enter(const fields *t, const aspi_view *view, aspi_stream *stream, a
     path->field += way % 2;
     path->back = way / 2;
   }
-  path->spot = aspi_field_enter(&t->field[path->field], u, v);
+  path->spot = aspi_field_enter(&t->wall[path->field].field, u, v);
+}
+
+/* Moves to a place with the slope that the last face has along the new flight; returns how much the
+ * slope there is too small. */
+static double move(const relief *wall, aspi_path *path) {
+  double slope = path->p * cos(path->turn) + path->q * sin(path->turn);
+  return aspi_places_move(&wall->places, &wall->field, slope, &path->spot, &path->back);
 }
 
 static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
   const fields *t = view->data;
+  double shear = 0; /* added to all slopes, so that the particle leaves the face as it did */
   if (!path->begun)
     enter(t, view, stream, path);
+  else if (t->moves)
+    shear = move(&t->wall[path->field], path);
   else
     path->azimuth += path->turn;
-  const aspi_field *field = &t->field[path->field];
+  const aspi_field *field = &t->wall[path->field].field;
   double x = t->is_map ? cos(path->azimuth) : path->back ? -1 : 1;
   double y = t->is_map ? sin(path->azimuth) : 0, along = cos(view->alpha1),
          fall = sin(view->alpha1);
   if (!path->spot.lies)
     fall = fmax(fall, field->fall_least * along);
   double gradient[2];
-  if (!aspi_field_next(field, (const double[3]){along * x, along * y, -fall}, &path->spot,
-                       gradient))
+  const double way[3] = {along * x, along * y, -fall - shear * along};
+  if (!aspi_field_next(field, way, &path->spot, gradient))
     return false;
-  *delta = atan(gradient[0] * x + gradient[1] * y);
+  path->p = gradient[0] * x + gradient[1] * y + shear;
+  *delta = atan(path->p);
   path->q = gradient[1] * x - gradient[0] * y;
   return true;
 }

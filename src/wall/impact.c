@@ -326,6 +326,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
     if (has_direction(&next) && dot(next.along, now->along) < 0)
       path.back = !path.back;
     path.turn = atan2(local.y, local.x);
+    path.q = on.q;
     *now = next;
     if (!has_direction(now))
       choose_direction(rough, now, stream);

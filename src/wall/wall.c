@@ -43,7 +43,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   *data = NULL;
   if (!choice->surface || !choice->spread->prepare)
     return ASP_OK;
-  const aspi_relief of = {choice->surface, choice->heights};
+  const aspi_relief of = {choice->surface, choice->heights, choice->isotropic};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
   asp_error wrong = {ASP_OK, ""};

@@ -105,6 +105,8 @@ int main(int argc, char **argv) {
   expect("visible isotropic collisions multiple", false, 10, 0, 0.006);
   expect("visible isotropic collisions multiple", false, 20, 0, 0.006);
   expect("profile isotropic collisions multiple", false, 20, 0, 0.008);
+  expect("traced isotropic", false, 20, 0, 0.008);
+  expect("traced isotropic", false, 35.264, 0, 0.008); /* phi_r 0.5 */
   expect("multicollision isotropic", false, 20, 0, 0.012);
   expect("effective isotropic collisions multiple", false, 10, 0, 0.006);
   expect("traced plane collisions multiple", true, 20, 0, 0.006);

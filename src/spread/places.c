@@ -1,0 +1,148 @@
+/* Where a flight over a row continues after a hit on an isotropic wall. The rebound turns the
+ * flight, and the wall along the new direction is another cut than the row. Given the height and
+ * the slope at a place, all cuts of an isotropic wall have one law, so any place of the row with
+ * that height and slope, in either direction, stands for the new cut. The joint law of both cuts is
+ * symmetric; so elastic rebounds can be reversed, and keep the cosine law. (Derived for this
+ * project.)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spread/places.h"
+#include "base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Most places of an index: more do not change the share that sticks. */
+enum { PLACES_MOST = 8192 };
+
+/* A standard deviation of the slope counts as this many of the height. */
+#define SLOPE_COUNTS 2
+
+static int by_height(const void *a, const void *b) {
+  const aspi_place *x = a, *y = b;
+  return (x->height > y->height) - (x->height < y->height);
+}
+
+static int by_steepness(const void *a, const void *b) {
+  const aspi_place *x = a, *y = b;
+  return (x->steepness > y->steepness) - (x->steepness < y->steepness);
+}
+
+static size_t strip_size(const aspi_places *p, size_t strip) {
+  size_t left = p->count - strip * p->strip;
+  return left < p->strip ? left : p->strip;
+}
+
+static void sort(aspi_places *p) {
+  qsort(p->place, p->count, sizeof *p->place, by_height);
+  for (size_t k = 0; k < p->strips; k++) {
+    aspi_place *first = p->place + k * p->strip;
+    p->bottom[k] = first->height;
+    qsort(first, strip_size(p, k), sizeof *first, by_steepness);
+  }
+}
+
+asp_code aspi_places_create(aspi_places *p, const aspi_field *row, asp_error *error) {
+  size_t n = (size_t)row->columns, every = (n + PLACES_MOST - 1) / PLACES_MOST;
+  *p = (aspi_places){.count = n / every};
+  p->strip = (size_t)ceil(sqrt((double)p->count));
+  p->strips = (p->count + p->strip - 1) / p->strip;
+  p->place = malloc(p->count * sizeof *p->place + p->strips * sizeof *p->bottom);
+  p->bottom = (float *)(p->place + p->count);
+  if (!p->place)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu places of a profile", p->count);
+  double mean = 0, square = 0, steep = 0;
+  for (size_t i = 0; i < p->count; i++) {
+    double slope = aspi_field_slope(row, i * every);
+    double z = (double)row->z[i * every] + 0.5 * slope * row->step[0];
+    p->place[i] = (aspi_place){(float)z, (float)fabs(slope), (int)(i * every)};
+    mean += z / (double)p->count;
+    square += z * z / (double)p->count;
+    steep += slope * slope / (double)p->count;
+  }
+  p->unit = steep > 0 ? SLOPE_COUNTS * sqrt(fmax(0, square - mean * mean) / steep) : 0;
+  sort(p);
+  return ASP_OK;
+}
+
+void aspi_places_free(aspi_places *p) {
+  free(p->place);
+}
+
+/* A search: the place that is wanted, and the best one so far. */
+typedef struct search {
+  double height, steepness;
+  double off; /* square of the distance of the best one */
+  const aspi_place *best;
+} search;
+
+/* False if the places beyond this one in its strip are farther off than the best one. */
+static bool look_at(const aspi_places *p, const aspi_place *at, search *s) {
+  double steepness = (double)at->steepness, aside = p->unit * (steepness - s->steepness);
+  if (aside * aside >= s->off)
+    return false;
+  double up = (double)at->height - s->height, off = aside * aside + up * up;
+  if (off < s->off) {
+    s->off = off;
+    s->best = at;
+  }
+  return true;
+}
+
+static void look_through(const aspi_places *p, size_t strip, search *s) {
+  const aspi_place *first = p->place + strip * p->strip;
+  size_t n = strip_size(p, strip), low = 0, high = n;
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if ((double)first[middle].steepness < s->steepness)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  for (size_t i = low; i < n && look_at(p, &first[i], s); i++)
+    ;
+  for (size_t i = low; i > 0 && look_at(p, &first[i - 1], s); i--)
+    ;
+}
+
+/* The strip of a height. */
+static size_t strip_at(const aspi_places *p, double height) {
+  size_t low = 0, high = p->strips - 1;
+  while (low < high) {
+    size_t middle = (low + high + 1) / 2;
+    if ((double)p->bottom[middle] <= height)
+      low = middle;
+    else
+      high = middle - 1;
+  }
+  return low;
+}
+
+/* True if a strip whose nearest height this is may have a better place. */
+static bool in_reach(const search *s, float height) {
+  double up = (double)height - s->height;
+  return up * up < s->off;
+}
+
+static const aspi_place *find(const aspi_places *p, search *s) {
+  size_t at = strip_at(p, s->height);
+  look_through(p, at, s);
+  for (size_t k = at + 1; k < p->strips && in_reach(s, p->bottom[k]); k++)
+    look_through(p, k, s);
+  for (size_t k = at; k > 0 && in_reach(s, p->bottom[k]); k--)
+    look_through(p, k - 1, s);
+  return s->best;
+}
+
+double aspi_places_move(const aspi_places *p, const aspi_field *row, double slope, aspi_spot *spot,
+                        bool *back) {
+  search s = {spot->z, fabs(slope), INFINITY, p->place}; /* the first place for a slope of NaN */
+  const aspi_place *at = find(p, &s);
+  double own = aspi_field_slope(row, (size_t)at->cell), first = (double)row->z[at->cell];
+  double up = (spot->z - first) / row->step[0];
+  double part = fabs(own) > 0 ? fmin(fmax(up / own, 0), 1) : 0.5;
+  *back = (own < 0) != (slope < 0);
+  spot->x[0] = (double)at->cell + part;
+  spot->z = first + part * own * row->step[0];
+  return slope - (*back ? -own : own);
+}

@@ -1,0 +1,32 @@
+/* The places of a row by height and slope, for a flight that turns on an isotropic wall.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef ASP_SPREAD_PLACES_H
+#define ASP_SPREAD_PLACES_H
+
+#include "spread/flight.h"
+
+/* A face of the row: its middle. */
+typedef struct aspi_place {
+  float height, steepness; /* steepness: of the slope without its sign */
+  int cell;
+} aspi_place;
+
+typedef struct aspi_places {
+  size_t count, strip, strips; /* places, places of a strip, and strips */
+  double unit;                 /* of steepness, where one of height is 1 */
+  aspi_place *place;           /* in strips of increasing height; within a strip by steepness */
+  float *bottom;               /* the least height of each strip */
+} aspi_places;
+
+/* An index of a row; ASP_ENOMEM and a message, or ASP_OK. */
+asp_code aspi_places_create(aspi_places *places, const aspi_field *row, asp_error *error);
+void aspi_places_free(aspi_places *places);
+
+/* Moves the particle to the place of the row that is nearest to the same height and the slope
+ * `slope` along its flight; *back: it flies toward smaller x there. Returns how much `slope`
+ * exceeds the slope of that place. */
+double aspi_places_move(const aspi_places *places, const aspi_field *row, double slope,
+                        aspi_spot *spot, bool *back);
+
+#endif
