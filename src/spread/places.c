@@ -19,32 +19,32 @@ enum { PLACES_MOST = 8192 };
 #define SLOPE_COUNTS 2
 
 static int by_height(const void *a, const void *b) {
-  const aspi_place *x = a, *y = b;
+  const aspi_row_place *x = a, *y = b;
   return (x->height > y->height) - (x->height < y->height);
 }
 
 static int by_steepness(const void *a, const void *b) {
-  const aspi_place *x = a, *y = b;
+  const aspi_row_place *x = a, *y = b;
   return (x->steepness > y->steepness) - (x->steepness < y->steepness);
 }
 
-static size_t strip_size(const aspi_places *p, size_t strip) {
+static size_t strip_size(const aspi_row_places *p, size_t strip) {
   size_t left = p->count - strip * p->strip;
   return left < p->strip ? left : p->strip;
 }
 
-static void sort(aspi_places *p) {
+static void sort(aspi_row_places *p) {
   qsort(p->place, p->count, sizeof *p->place, by_height);
   for (size_t k = 0; k < p->strips; k++) {
-    aspi_place *first = p->place + k * p->strip;
+    aspi_row_place *first = p->place + k * p->strip;
     p->bottom[k] = first->height;
     qsort(first, strip_size(p, k), sizeof *first, by_steepness);
   }
 }
 
-asp_code aspi_places_create(aspi_places *p, const aspi_field *row, asp_error *error) {
+asp_code aspi_row_places_create(aspi_row_places *p, const aspi_field *row, asp_error *error) {
   size_t n = (size_t)row->columns, every = (n + PLACES_MOST - 1) / PLACES_MOST;
-  *p = (aspi_places){.count = n / every};
+  *p = (aspi_row_places){.count = n / every};
   p->strip = (size_t)ceil(sqrt((double)p->count));
   p->strips = (p->count + p->strip - 1) / p->strip;
   p->place = malloc(p->count * sizeof *p->place + p->strips * sizeof *p->bottom);
@@ -55,7 +55,7 @@ asp_code aspi_places_create(aspi_places *p, const aspi_field *row, asp_error *er
   for (size_t i = 0; i < p->count; i++) {
     double slope = aspi_field_slope(row, i * every);
     double z = (double)row->z[i * every] + 0.5 * slope * row->step[0];
-    p->place[i] = (aspi_place){(float)z, (float)fabs(slope), (int)(i * every)};
+    p->place[i] = (aspi_row_place){(float)z, (float)fabs(slope), (int)(i * every)};
     mean += z / (double)p->count;
     square += z * z / (double)p->count;
     steep += slope * slope / (double)p->count;
@@ -65,7 +65,7 @@ asp_code aspi_places_create(aspi_places *p, const aspi_field *row, asp_error *er
   return ASP_OK;
 }
 
-void aspi_places_free(aspi_places *p) {
+void aspi_row_places_free(aspi_row_places *p) {
   free(p->place);
 }
 
@@ -73,11 +73,11 @@ void aspi_places_free(aspi_places *p) {
 typedef struct search {
   double height, steepness;
   double off; /* square of the distance of the best one */
-  const aspi_place *best;
+  const aspi_row_place *best;
 } search;
 
 /* False if the places beyond this one in its strip are farther off than the best one. */
-static bool look_at(const aspi_places *p, const aspi_place *at, search *s) {
+static bool look_at(const aspi_row_places *p, const aspi_row_place *at, search *s) {
   double steepness = (double)at->steepness, aside = p->unit * (steepness - s->steepness);
   if (aside * aside >= s->off)
     return false;
@@ -89,8 +89,8 @@ static bool look_at(const aspi_places *p, const aspi_place *at, search *s) {
   return true;
 }
 
-static void look_through(const aspi_places *p, size_t strip, search *s) {
-  const aspi_place *first = p->place + strip * p->strip;
+static void look_through(const aspi_row_places *p, size_t strip, search *s) {
+  const aspi_row_place *first = p->place + strip * p->strip;
   size_t n = strip_size(p, strip), low = 0, high = n;
   while (low < high) {
     size_t middle = (low + high) / 2;
@@ -106,7 +106,7 @@ static void look_through(const aspi_places *p, size_t strip, search *s) {
 }
 
 /* The strip of a height. */
-static size_t strip_at(const aspi_places *p, double height) {
+static size_t strip_at(const aspi_row_places *p, double height) {
   size_t low = 0, high = p->strips - 1;
   while (low < high) {
     size_t middle = (low + high + 1) / 2;
@@ -124,7 +124,7 @@ static bool in_reach(const search *s, float height) {
   return up * up < s->off;
 }
 
-static const aspi_place *find(const aspi_places *p, search *s) {
+static const aspi_row_place *find(const aspi_row_places *p, search *s) {
   size_t at = strip_at(p, s->height);
   look_through(p, at, s);
   for (size_t k = at + 1; k < p->strips && in_reach(s, p->bottom[k]); k++)
@@ -134,10 +134,10 @@ static const aspi_place *find(const aspi_places *p, search *s) {
   return s->best;
 }
 
-double aspi_places_move(const aspi_places *p, const aspi_field *row, double slope, aspi_spot *spot,
-                        bool *back) {
+double aspi_row_places_move(const aspi_row_places *p, const aspi_field *row, double slope,
+                            aspi_spot *spot, bool *back) {
   search s = {spot->z, fabs(slope), INFINITY, p->place}; /* the first place for a slope of NaN */
-  const aspi_place *at = find(p, &s);
+  const aspi_row_place *at = find(p, &s);
   double own = aspi_field_slope(row, (size_t)at->cell), first = (double)row->z[at->cell];
   double up = (spot->z - first) / row->step[0];
   double part = fabs(own) > 0 ? fmin(fmax(up / own, 0), 1) : 0.5;

@@ -7,26 +7,26 @@
 #include "spread/flight.h"
 
 /* A face of the row: its middle. */
-typedef struct aspi_place {
+typedef struct aspi_row_place {
   float height, steepness; /* steepness: of the slope without its sign */
   int cell;
-} aspi_place;
+} aspi_row_place;
 
-typedef struct aspi_places {
+typedef struct aspi_row_places {
   size_t count, strip, strips; /* places, places of a strip, and strips */
   double unit;                 /* of steepness, where one of height is 1 */
-  aspi_place *place;           /* in strips of increasing height; within a strip by steepness */
+  aspi_row_place *place;       /* in strips of increasing height; within a strip by steepness */
   float *bottom;               /* the least height of each strip */
-} aspi_places;
+} aspi_row_places;
 
 /* An index of a row; ASP_ENOMEM and a message, or ASP_OK. */
-asp_code aspi_places_create(aspi_places *places, const aspi_field *row, asp_error *error);
-void aspi_places_free(aspi_places *places);
+asp_code aspi_row_places_create(aspi_row_places *places, const aspi_field *row, asp_error *error);
+void aspi_row_places_free(aspi_row_places *places);
 
 /* Moves the particle to the place of the row that is nearest to the same height and the slope
  * `slope` along its flight; *back: it flies toward smaller x there. Returns how much `slope`
  * exceeds the slope of that place. */
-double aspi_places_move(const aspi_places *places, const aspi_field *row, double slope,
-                        aspi_spot *spot, bool *back);
+double aspi_row_places_move(const aspi_row_places *places, const aspi_field *row, double slope,
+                            aspi_spot *spot, bool *back);
 
 #endif

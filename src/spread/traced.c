@@ -35,7 +35,7 @@ enum { MAP_POINTS = 1 << 18, MAP_PER_LAMBDA = 10 };
 /* A dilated wall, and the index of its places where flights move. */
 typedef struct relief {
   aspi_field field;
-  aspi_places places;
+  aspi_row_places places;
 } relief;
 
 typedef struct fields {
@@ -51,7 +51,7 @@ static void release(void *data) {
   fields *t = data;
   for (int i = 0; i < t->sizes.bins * t->fields; i++) {
     aspi_field_free(&t->wall[i].field);
-    aspi_places_free(&t->wall[i].places);
+    aspi_row_places_free(&t->wall[i].places);
   }
   free(t);
 }
@@ -99,7 +99,7 @@ static asp_code fill_one(fields *t, const aspi_relief *of, const asp_heights *ma
   double ratio = aspi_sphere_over_disc(asp_surface_kappa(of->surface, d_p));
   if (ratio < 1)
     aspi_field_scale(&wall->field, ratio);
-  return aspi_places_create(&wall->places, &wall->field, error);
+  return aspi_row_places_create(&wall->places, &wall->field, error);
 }
 
 /* The fields of all sizes over the wall, or over a generated profile (0) or its negative (1). */
@@ -164,7 +164,7 @@ static void enter(const fields *t, const aspi_view *view, aspi_stream *stream, a
  * slope there is too small. */
 static double move(const relief *wall, aspi_path *path) {
   double slope = path->p * cos(path->turn) + path->q * sin(path->turn);
-  return aspi_places_move(&wall->places, &wall->field, slope, &path->spot, &path->back);
+  return aspi_row_places_move(&wall->places, &wall->field, slope, &path->spot, &path->back);
 }
 
 static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
