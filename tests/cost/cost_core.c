@@ -143,7 +143,7 @@ int main(void) {
                  profile);
   count_contacts("contact, map", "surface map wall materials quartz hastelloy-x", map);
   for (int i = 1; i < asp_spread_count(); i++) /* behind `none` */
-    count_draws(asp_spread_at(i), &(aspi_relief){surface, NULL});
+    count_draws(asp_spread_at(i), &(aspi_relief){surface, NULL, false});
   count_profile();
   count_parses();
 
