@@ -57,7 +57,7 @@ for ranks in 1 2; do
     state=$(((16807 * state + 7) % 2147483647))
     upto=$((all * (150 + state % 800) / 1000)) # behind the first restart file
     start "$ranks" whole.in
-    while [ "$(stat -c %s low.csv 2> /dev/null || echo 0)" -lt "$upto" ] && kill -0 $job 2> /dev/null; do sleep "0.0$((state % 3 + 1))"; done
+    while [ "$(stat -c %s low.csv 2> /dev/null || echo 0)" -lt "$upto" ] && kill -0 $job 2> /dev/null; do sleep "0.00$((state % 3 + 1))"; done
     # shellcheck disable=SC2086
     kill -9 $pids 2> /dev/null && killed=$((killed + 1))
     wait $job 2> /dev/null || true

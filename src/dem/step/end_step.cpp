@@ -240,6 +240,8 @@ void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], cons
     }
     if (rests.empty())
       of.set_status(Status::FREE);
+    else
+      aspi_copy(now.a, of.own().free);
   }
 }
 
@@ -460,20 +462,35 @@ template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
               [&](const Walls &held_by, int i) { end_one(held_by, kind, i, resting); });
 }
 
-/* The mover that rests and its walls, of a set-up. */
-template <class Kind> static void push_one(const Walls &walls, const Mover &mover, Kind &kind) {
-  double push[3], twist[3];
+/* A set-up has other forces if they differ by more than this share. */
+static const double SAME_FORCE = 1e-9;
+
+/* The mover that rests and its walls, of a set-up; a: its acceleration. Where the script has
+ * changed the forces, the walls' old ones would move it, and the next step finds new ones. */
+template <class Kind>
+static void push_one(const Walls &walls, const Mover &mover, Kind &kind, const double a[3]) {
+  const double *before = mover.at(*walls[0]).own().free;
+  double push[3], twist[3], change[3];
+  aspi_subtract(a, before, change);
+  if (aspi_length(change) > SAME_FORCE * aspi_length(before))
+    return;
   sum_pushes(walls, mover, push, twist);
   add_push(mover, kind, push, twist);
 }
 
 void asperity::push_again(const Walls &walls, const Spheres &s) {
-  for_resting(walls, s, [&](const Walls &held_by, int i) { push_one(held_by, Mover(s, i), s); });
+  for_resting(walls, s, [&](const Walls &held_by, int i) {
+    double a[3];
+    aspi_copy(s.f + 3 * static_cast<size_t>(i), a);
+    aspi_scale(1 / s.mass[i], a);
+    push_one(held_by, Mover(s, i), s, a);
+  });
 }
 
 void asperity::push_again(const Walls &walls, Bodies &bodies) {
   for_resting(walls, bodies, [&](const Walls &held_by, int i) {
-    push_one(held_by, Mover(bodies, static_cast<size_t>(i)), bodies);
+    const Mover mover(bodies, static_cast<size_t>(i));
+    push_one(held_by, mover, bodies, mover.body->acceleration);
   });
 }
 

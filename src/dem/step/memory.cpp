@@ -4,6 +4,7 @@
 #include "dem/step/memory.h"
 
 #include <string.h>
+#include <algorithm>
 #include <map>
 
 #include "dem/engine.h"
@@ -83,6 +84,7 @@ int Memories::pack(int i, double *to) const {
   Write write = {to + 1};
   if (of) {
     *write.to++ = of->draws;
+    write.to = std::copy(of->free, of->free + 3, write.to);
     of->each(write);
   }
   to[0] = static_cast<double>(write.to - to);
@@ -95,6 +97,8 @@ int Memories::unpack(int i, const double *from) {
     Memory &of = own(i);
     Read read = {from + 1};
     of.draws = *read.from++;
+    std::copy(read.from, read.from + 3, of.free);
+    read.from += 3;
     of.each(read);
   }
   return static_cast<int>(from[0]);
@@ -105,7 +109,7 @@ int Memories::unpack(int i, const double *from) {
 
 void BodyMemories::write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
                          std::vector<double> &to) {
-  Count count = {2};
+  Count count = {5};
   if (rows.memory[i])
     rows.memory[i]->each(count);
   const size_t at = to.size();

@@ -83,14 +83,15 @@ struct Attitude {
 };
 
 struct Memory {
-  double draws; /* of valleys, and of faces that it met while it rested */
+  double draws;   /* of valleys, and of faces that it met while it rested */
+  double free[3]; /* where it rests, its acceleration without walls at the end of the last step */
   std::vector<FacePlace> faces;
   std::vector<Rest> rests;        /* those of status RESTING */
   std::vector<Rebound> rebound;   /* one, of status REBOUNDED */
   std::vector<Stuck> stuck;       /* one, of status STUCK or TO_DELETE */
   std::vector<Attitude> attitude; /* one, of a body at the first wall of a run */
 
-  Memory() : draws(0) {}
+  Memory() : draws(0), free() {}
 
   /* Calls of() for each list: packing, sizes and restart files follow from this. */
   template <class Of> void each(Of &of) {
@@ -215,9 +216,10 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
-const int PACKED_MOST = 7 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
-                                              (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
-                                             sizeof(double));
+const int PACKED_MOST =
+    10 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
+                           (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
+                          sizeof(double));
 static_assert(sizeof(Rebound) <= sizeof(Stuck),
               "the longest list is that of a stuck or resting one");
 
