@@ -410,16 +410,15 @@ static bool rests_there(const Flight &flight, const Touch &touch) {
   const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
   const AtWall of = flight.mover.at(*touch.wall);
-  if (of.rests_at(one.tag, touch.shape, contact.face))
-    return true;
+  if (of.rests_at(one.tag, touch.shape, contact.face) || !flight.mover.is_ball)
+    return of.rests_at(one.tag, touch.shape, contact.face);
   for (const Rest &rest : of.rests()) {
     Contact end = Contact();
     double distance, tilt[3];
     if (static_cast<int64_t>(rest.sphere) != one.tag ||
         static_cast<size_t>(rest.shape) != touch.shape + 1 ||
-        !touch.wall->setup.shapes[touch.shape].shape->under(static_cast<int>(rest.face), contact.x,
-                                                            touch.before.v, 2 * one.radius, end,
-                                                            distance))
+        !touch.wall->setup.shapes[touch.shape].shape->under(
+            static_cast<int>(rest.face), contact.x, touch.before.v, 2 * one.radius, end, distance))
       continue;
     aspi_subtract(end.n, contact.n_end, tilt);
     if (aspi_length(tilt) < ON_EDGES)
@@ -544,7 +543,11 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
     if (!slid || flight.has_strayed(known_way, most))
       search_all(walls, flight);
   }
-  if (only_slid && series < 2 * series_most)
+  bool stands = mover.is_ball; /* a body on walls that move takes the path that was searched */
+  if (!stands)
+    stands =
+        std::all_of(walls.begin(), walls.end(), [](const Stepper *wall) { return wall->is_still; });
+  if (only_slid && (stands || all == 0) && series < 2 * series_most)
     return false;
   const bool endless = by < 0 && series == 2 * series_most;
   if (flight.squeezed || (endless && mover.is_ball && flight.events.size() > flight.series_begin)) {
