@@ -167,9 +167,10 @@ void Wall::free_displaced(const Spheres &spheres, double moved) {
   int mine = stepper.free_displaced(spheres, moved), all;
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, setup.engine.world());
   if (all > 0)
-    setup.engine.warn(text("stuck particles that a command has moved from their place: %d; they are "
-                           "free",
-                           all));
+    setup.engine.warn(
+        text("stuck particles that a command has moved from their place: %d; they are "
+             "free",
+             all));
 }
 
 void Wall::set_rows(double *state) {

@@ -142,7 +142,8 @@ static asp_code read_row(aspi_materials *own, const aspi_table *table, const int
   own->list[own->count++] = m;
   bool no_yield;
   asp_code code;
-  if ((code = aspi_table_number(table, at[MODULUS], 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
+  if ((code =
+           aspi_table_number(table, at[MODULUS], 1e-300, 1e300, &m->youngs_modulus, NULL, error)) ||
       (code = aspi_table_number(table, at[POISSON], -1, 0.5, &m->poissons_ratio, NULL, error)) ||
       (code = aspi_table_number(table, at[DENSITY], 1e-300, 1e300, &m->density, NULL, error)) ||
       (code = aspi_table_number(table, at[YIELD], 0, 1e300, &m->yield_stress, &no_yield, error)))
