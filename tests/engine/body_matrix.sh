@@ -89,5 +89,5 @@ for s in plane rest move edge turn region; do
   last $s.before.at > $s.before
   restart=$(apart $s.whole.1 $s.again.1) order=$(apart $s.whole.1 $s.before)
   echo "$s: ranks change numbers by$most, a restart by $restart, the order of fixes by $order"
-  awk -v most="$most" -v restart="$restart" -v order="$order" 'BEGIN { n = split(most, m, " "); for (k = 1; k <= n; k++) if (m[k] > 1e-5) exit 1; exit n < 9 || restart > 1e-3 || order > 0.02 }' || die "$s"
+  awk -v most="$most" -v restart="$restart" -v order="$order" 'BEGIN { n = split(most, m, " "); for (k = 1; k <= n; k++) if (m[k] > 1e-6) exit 1; exit n < 9 || restart > 1e-3 || order > 0.02 }' || die "$s"
 done

@@ -427,14 +427,15 @@ static bool rests_there(const Flight &flight, const Touch &touch) {
   return false;
 }
 
-/* A sphere whose path ends at a face at which it rests, but for rounding, only slides along it:
- * then the path that is searched changes, and nothing else. */
+/* A sphere whose path ends at a face at which it rests, but for rounding, only slides along it, and
+ * so does one that does not approach its face, but for rounding of its own place: then the path
+ * that is searched changes, and nothing else. */
 static bool slides(Flight &flight, const Touch &touch) {
   const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
-  const double closing = std::max(0.0, contact.closing);
-  if (!flight.is_led || closing * flight.path.left > ROUNDED * one.radius ||
-      !rests_there(flight, touch))
+  const double closing = std::max(0.0, contact.closing), deep = closing * flight.path.left;
+  if (!flight.is_led || deep > ROUNDED * one.radius ||
+      (deep > EPSILON * one.radius && !rests_there(flight, touch)))
     return false;
   aspi_add_scaled(flight.path.v, (1 + ROUNDING) * closing + EPSILON * aspi_length(touch.before.v),
                   contact.n_end, flight.path.v);
