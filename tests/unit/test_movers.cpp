@@ -513,7 +513,7 @@ struct Case {
     check(pace, "guarded", r.guarded, 0);
     if (stands)
       check(pace, "energy gained", r.rise,
-            HEAT * pace.speed * pace.speed + 5 * kind.nx * kind.ny * kick * kick);
+            HEAT * pace.speed * pace.speed + 6 * kind.nx * kind.ny * kick * kick);
     if (stands && pace.e >= 1 && !(friction > 0))
       check(pace, "energy lost", r.loss, HEAT);
     if (pace.e < 1)

@@ -1,5 +1,6 @@
 /* Contacts that last, of a ball: for any normals, walls' velocities and friction, what the solver
- * finds is a solution, by the conditions of contact and of Coulomb's friction at each contact.
+ * finds is a solution, by the conditions of contact and of Coulomb's friction at each contact. And
+ * how a free body turns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/supports.h"
@@ -117,9 +118,49 @@ void is_a_solution(void **) {
     }
 }
 
+/* How the axes of a free body change. */
+void rates(const double inertia[3], const double momentum[3], const double axes[9], double out[9]) {
+  double omega[3] = {0, 0, 0};
+  for (int k = 0; k < 3; k++)
+    if (inertia[k] > 0)
+      aspi_add_scaled(omega, aspi_dot(momentum, axes + 3 * k) / inertia[k], axes + 3 * k, omega);
+  for (int k = 0; k < 3; k++)
+    aspi_cross(omega, axes + 3 * k, out + 3 * k);
+}
+
+/* A free body of any moments turns as small steps by the rule of Runge and Kutta have it. */
+void turns_freely(void **) {
+  const double momentum[3] = {0.3, -1.1, 0.7};
+  static const double inertia[][3] = {{1, 1, 2},      {2, 1, 1},   {0, 1, 1},
+                                      {1, 1.01, 0.4}, {1, 1.5, 2}, {0.4, 1, 1.3}};
+  for (const double *moments : inertia)
+    for (double time : {0.05, 2.0, -30.0}) {
+      const int steps = 20000;
+      const double h = time / steps;
+      double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, at[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+      turn_free(moments, momentum, time, axes);
+      for (int n = 0; n < steps; n++) {
+        double k[4][9], to[9];
+        rates(moments, momentum, at, k[0]);
+        for (int stage = 1; stage < 4; stage++) {
+          for (int j = 0; j < 9; j++)
+            to[j] = at[j] + (stage == 3 ? 1 : 0.5) * h * k[stage - 1][j];
+          rates(moments, momentum, to, k[stage]);
+        }
+        for (int j = 0; j < 9; j++)
+          at[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
+      }
+      for (int k = 0; k < 3; k++) {
+        aspi_subtract(axes[k], at + 3 * k, at + 3 * k);
+        assert_true(aspi_length(at + 3 * k) < 1e-6);
+      }
+    }
+}
+
 } // namespace
 
 int main() {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(is_a_solution)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(is_a_solution),
+                                     cmocka_unit_test(turns_freely)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -59,8 +59,9 @@ private:
 /* Turns axes by an angular velocity. */
 void turn_by(const double omega[3], double time, double axes[3][3]);
 
-/* Turns the axes of a free body by turns about one axis after another (Dullweber, Leimkuhler &
- * McLachlan 1997): the angular momentum stays, and the energy does not drift. */
+/* Turns the axes of a free body: exactly where two moments are equal, else by turns one after
+ * another (as Dullweber, Leimkuhler & McLachlan 1997), by which the energy does not drift. The
+ * angular momentum stays. */
 void turn_free(const double inertia[3], const double momentum[3], double time, double axes[3][3]);
 
 /* Moves a free body straight, and turns it. */

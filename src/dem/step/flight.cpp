@@ -35,18 +35,6 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
   aspi_scale(s > 0 ? atan2(s, 0.5 * (trace - 1)) / (s * time) : 0, omega);
 }
 
-/* Turns a body for a time, which may be negative, in stretches. */
-void turn_on(Body &body, double time) {
-  for (double left = fabs(time); left > 0;) {
-    double omega[3];
-    spin_of(body, omega);
-    const double rate = aspi_length(omega);
-    const double stretch = rate * left > TURN ? TURN / rate : left;
-    advance(body, time < 0 ? -stretch : stretch);
-    left = stretch < left ? left - stretch : 0;
-  }
-}
-
 } // namespace
 
 /* ---- the path ---------------------------------------------------------------------------------
@@ -92,10 +80,10 @@ Flight::Flight(Mover &m, const Bodies &bodies, Stepper &first)
   if (memory && !memory->attitude.empty() && static_cast<int64_t>(memory->attitude[0].step) == step)
     memcpy(start.axes, memory->attitude[0].axes, sizeof start.axes);
   else
-    turn_on(start, -dt);
+    turn_free(start.inertia, start.angular_momentum, -dt, start.axes);
   m.set_axes(start.axes);
   m.spin_of(momentum, spin);
-  turn_on(start, dt);
+  turn_free(start.inertia, start.angular_momentum, dt, start.axes);
   turn_between(start.axes, body.axes, dt, lift); /* what the engine's step differs by */
   if (aspi_length(lift) * dt > LIFT)
     aspi_copy(NONE, lift);
@@ -139,18 +127,23 @@ Path Flight::path_of(size_t k) const {
   return its;
 }
 
+/* The axes of a body that no wall and no rounding turns, after a time. */
+void Flight::turn_alone(double time, double to[3][3]) const {
+  double whole[3] = {0, 0, 0};
+  memcpy(to, mover.axes, sizeof mover.axes);
+  aspi_add_scaled(whole, mover.mass, momentum, whole);
+  turn_free(mover.body->inertia, whole, time, to);
+}
+
 void Flight::aim(double angle) {
   if (mover.is_ball) {
     stretch = path.left;
     return;
   }
-  double to[3][3], whole[3] = {0, 0, 0};
+  double to[3][3];
   const double spins = aspi_length(spin);
   const double time = spins * path.left > angle ? angle / spins : path.left;
-  for (int k = 0; k < 3; k++)
-    aspi_copy(mover.axes[k], to[k]);
-  aspi_add_scaled(whole, mover.mass, momentum, whole);
-  turn_free(mover.body->inertia, whole, time, to);
+  turn_alone(time, to);
   turn_between(mover.axes, to, time, turning);
   aspi_add_scaled(turning, 1, lift, turning);
   const double rate = aspi_length(turning);
@@ -171,6 +164,16 @@ void Flight::go_on(double time) {
   if (mover.is_ball)
     return;
   mover.turn(turning, time);
+  mover.spin_of(momentum, spin);
+}
+
+void Flight::leap(double time) {
+  double to[3][3];
+  turn_alone(time, to);
+  turn_by(lift, time, to);
+  aspi_copy(NONE, turning);
+  go_on(time);
+  mover.set_axes(to);
   mover.spin_of(momentum, spin);
 }
 

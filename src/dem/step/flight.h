@@ -97,9 +97,11 @@ struct Flight {
   void set_spin(const double to[3]);
   bool has_strayed(const double v[3], double most) const;
 
-  /* How a body turns in the next stretch, by an angle at most; and moves it on. */
+  /* How a body turns in the next stretch, by an angle at most; and moves it on. leap: as far as it
+   * turns, where no wall is in reach. */
   void aim(double angle);
   void go_on(double time);
+  void leap(double time);
   /* Of the spheres of a body from its center of mass, at most. */
   double farthest() const;
   Path path_of(size_t sphere) const;
@@ -113,6 +115,7 @@ struct Flight {
 private:
   void begin_with(const double x[3], const double v[3], const double a[3]);
   void act_along(const double n[3], double ahead[3]) const;
+  void turn_alone(double time, double to[3][3]) const;
   void add_sustained(const Touch &touch, double least_speed, double hold);
   void follow_walls();
   double along_path(const Touch &touch, const double n[3]) const;

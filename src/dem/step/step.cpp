@@ -137,6 +137,23 @@ static bool search(const Walls &walls, const Flight &flight, double wider,
   return !touches.empty();
 }
 
+/* For which time no wall is in reach of a body, however it turns. */
+static double time_clear(const Walls &walls, const Flight &flight) {
+  const Body &body = *flight.mover.body;
+  Course course;
+  course.widen = 0;
+  course.most = flight.path.left / flight.dt;
+  aspi_copy(flight.path.x, course.x);
+  aspi_copy(flight.path.v, course.v);
+  aspi_scale(flight.dt, course.v);
+  for (const Stepper *wall : walls)
+    for (const Member &member : wall->setup.shapes) {
+      course.reach = (1 + ROUNDING) * body.reach + member.shape->travel(flight.dt);
+      course.most = member.shape->clear(course, FaceList());
+    }
+  return course.most * flight.dt;
+}
+
 /* The first contacts of the rest of the path. Where a body turns so far that its spheres may be off
  * straight paths, they are searched by wider spheres, and where those meet a wall in shorter
  * stretches. False: there are none, and the flight is in the last stretch of its path. */
@@ -146,6 +163,15 @@ static bool find_next(const Walls &walls, Flight &flight, std::vector<Touch> &to
   touches.clear();
   while (flight.path.left > 0) {
     flight.aim(angle);
+    if (flight.stretch < flight.path.left) {
+      const double clear = time_clear(walls, flight);
+      if (clear > flight.stretch) {
+        flight.way +=
+            clear * (aspi_length(flight.path.v) + farthest * aspi_length(flight.spin)) / radius;
+        flight.leap(clear);
+        continue;
+      }
+    }
     const double turns = flight.stretch * aspi_length(flight.turning);
     const double bulge = farthest * turns * turns / 8;
     const bool is_straight = !(bulge > STRAIGHT * radius);
@@ -663,10 +689,8 @@ static void fly_one(const Walls &walls, const Walls &, Bodies &bodies, int i) {
   }
   body.is_changed = true;
   count_events(flight);
-  while (!stuck.wall && flight.path.left > 0) {
-    flight.aim(TURN);
-    flight.go_on(flight.stretch);
-  }
+  if (!stuck.wall && flight.path.left > 0)
+    flight.leap(flight.path.left);
   aspi_copy(flight.path.x, body.x);
   memcpy(body.axes, mover.axes, sizeof body.axes);
   aspi_copy(flight.half, body.v);
