@@ -95,49 +95,53 @@ void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
 
 /* A body of three different moments turns in parts of this angle at most, rad; the less they
  * differ, the larger are the parts. Below FREE, rad, the difference turns nothing. */
-static const double PART = 0.1, FREE = 1e-12;
+static const double PART = 0.05, FREE = 1e-12;
 
-/* Turns about an axis of the body, with the angular velocity per component of the momentum. */
-static void turn_about_own(int k, double per_momentum, const double momentum[3], double time,
-                           double axes[3][3]) {
-  const double axis[3] = {axes[k][0], axes[k][1], axes[k][2]};
-  turn_by(axis, per_momentum * aspi_dot(momentum, axis) * time, axes);
+/* Turns a body about its axis k by an angle per component of the momentum. */
+static void turn_about_own(int k, double angle, const double momentum[3], double axes[3][3]) {
+  double *a = axes[(k + 1) % 3], *b = axes[(k + 2) % 3];
+  const double by = angle * aspi_dot(momentum, axes[k]), c = cos(by), s = sin(by);
+  for (int d = 0; d < 3; d++) {
+    const double before = a[d];
+    a[d] = c * before + s * b[d];
+    b[d] = c * b[d] - s * before;
+  }
 }
 
+/* A body of which two moments are equal spins about the axis of the third, and that goes round the
+ * momentum. What another moment adds to it is taken in turns (fourth order: Suzuki 1990); turns
+ * about the momentum leave its components alone, so that all of them are one. */
 void asperity::turn_free(const double inertia[3], const double momentum[3], double time,
                          double axes[3][3]) {
-  /* Two moments are alike, those of `one` and `other`; `own` is the axis of the third. */
   double rate[3], least = HUGE_VAL;
-  int own = 2, one = 0, other = 1;
+  int own = 0;
   for (int k = 0; k < 3; k++)
     rate[k] = inertia[k] > 0 ? 1 / inertia[k] : 0;
-  for (int k = 0; k < 3; k++) {
-    const double differ = fabs(rate[(k + 1) % 3] - rate[(k + 2) % 3]);
-    if (differ < least) {
-      least = differ;
+  for (int k = 0; k < 3; k++)
+    if (fabs(rate[(k + 1) % 3] - rate[(k + 2) % 3]) < least) {
+      least = fabs(rate[(k + 1) % 3] - rate[(k + 2) % 3]);
       own = k;
     }
+  const int other = (own + 2) % 3;
+  const double across = rate[(own + 1) % 3], spin = rate[own] - across,
+               apart = rate[other] - across;
+  const double l = aspi_length(momentum), l_own = aspi_dot(momentum, axes[own]);
+  const double wobble = fabs(apart * time) * l;
+  if (!(wobble > FREE))
+    turn_about_own(own, spin * time, momentum, axes);
+  else {
+    const double fifth = 1 / (4 - cbrt(4.0)); /* the energy limits the component along `own` */
+    const double angle =
+        wobble + fabs(time) * sqrt(fabs(spin) * (fabs(spin) * l_own * l_own + least * l * l));
+    const int parts = 1 + static_cast<int>(angle / PART * sqrt(sqrt(wobble / angle)));
+    for (int n = 0; n < 5 * parts; n++) {
+      const double way = (n % 5 == 2 ? 1 - 4 * fifth : fifth) * time / parts;
+      turn_about_own(other, 0.5 * apart * way, momentum, axes);
+      turn_about_own(own, spin * way, momentum, axes);
+      turn_about_own(other, 0.5 * apart * way, momentum, axes);
+    }
   }
-  one = (own + 1) % 3;
-  other = (own + 2) % 3;
-  const double size = aspi_length(momentum) * fabs(time), across = rate[one];
-  const double apart = rate[other] - across, fastest = *std::max_element(rate, rate + 3);
-  if (!(fabs(apart) * size > FREE)) { /* it spins about that axis, which goes round the momentum */
-    turn_about_own(own, rate[own] - across, momentum, time, axes);
-    turn_by(momentum, across * time, axes);
-    return;
-  }
-  /* The same, and what the other moment adds to it, in turns (fourth order: Suzuki 1990). */
-  const double part = PART / sqrt(sqrt(fabs(apart) / fastest));
-  const int parts = 1 + static_cast<int>(fastest * size / part);
-  const double fifth = 1 / (4 - cbrt(4.0));
-  for (int n = 0; n < 5 * parts; n++) {
-    const double way = (n % 5 == 2 ? 1 - 4 * fifth : fifth) * time / parts;
-    turn_about_own(other, apart, momentum, 0.5 * way, axes);
-    turn_about_own(own, rate[own] - across, momentum, way, axes);
-    turn_by(momentum, across * way, axes);
-    turn_about_own(other, apart, momentum, 0.5 * way, axes);
-  }
+  turn_by(momentum, across * time, axes);
 }
 
 void asperity::advance(Body &body, double time) {
