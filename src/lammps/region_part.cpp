@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 #include <algorithm>
+#include <string>
 
 #include "contact/vector.h"
 #include "region.h"
@@ -20,6 +21,48 @@ const int FACES = 64;
 /* The least relative speed of a path, as a share of the speeds: of one that rides on a part. */
 const double LEAST = 1e-3;
 
+/* An axis is along one of the coordinates', or a box as wide as another, within this share; and
+ * LAMMPS's 1e20 is endless. */
+const double ALONG = 1e-9, ENDLESS = 1e19;
+
+/* The corners of the box of a region as it was made; false where it is endless, or changes. */
+bool extent(const Region *region, double box[2][3]) {
+  const double all[2][3] = {{region->extent_xlo, region->extent_ylo, region->extent_zlo},
+                            {region->extent_xhi, region->extent_yhi, region->extent_zhi}};
+  bool ends = region->bboxflag && !region->varshape;
+  for (int side = 0; side < 2; side++) {
+    aspi_copy(all[side], box[side]);
+    for (double at : all[side])
+      ends = ends && fabs(at) < ENDLESS;
+  }
+  return ends;
+}
+
+/* True if a region is round about an axis through a point, that of one coordinate. A cylinder may
+ * lie across it in the same box: then it has points near the corners. */
+bool is_round_about(Region *region, const double origin[3], const double axis[3]) {
+  double box[2][3], at[3];
+  int along = 0;
+  while (along < 2 && !(fabs(axis[along]) > 1 - ALONG))
+    along++;
+  const int one = (along + 1) % 3, other = (along + 2) % 3;
+  const std::string style = region->style;
+  if (!(fabs(axis[along]) > 1 - ALONG) || !extent(region, box) ||
+      !(style == "cylinder" || style == "cone" || style == "sphere"))
+    return false;
+  const double wide = box[1][one] - box[0][one];
+  bool is = fabs(box[1][other] - box[0][other] - wide) <= ALONG * wide;
+  for (int d : {one, other})
+    is = is && fabs(0.5 * (box[0][d] + box[1][d]) - origin[d]) <= ALONG * wide;
+  for (double side : {0.05, 0.95}) {
+    at[along] = 0.5 * (box[0][along] + box[1][along]);
+    at[one] = box[0][one] + side * wide;
+    at[other] = box[0][other] + 0.95 * wide;
+    is = is && !region->inside(at[0], at[1], at[2]);
+  }
+  return is;
+}
+
 /* The axis of a region's turn is protected in it. */
 class AxisOf : public Region {
 public:
@@ -33,9 +76,11 @@ public:
 
 RegionPart::RegionPart(Region *region, int number)
     : region_(region), number_(number), moves_(region->moveflag || region->rotateflag), origin_(),
-      axis_(), pose_(), rate_(), has_rate_(false), dt_(0) {
-  if (region->rotateflag)
-    AxisOf::read(region, origin_, axis_);
+      axis_(), is_round_(false), pose_(), rate_(), has_rate_(false), dt_(0) {
+  if (!region->rotateflag)
+    return;
+  AxisOf::read(region, origin_, axis_);
+  is_round_ = is_round_about(region, origin_, axis_);
 }
 
 /* LAMMPS sets the shift only with `move`, and the angle only with `rotate`. */
@@ -105,11 +150,16 @@ void RegionPart::restore(const double *record) {
 }
 
 double RegionPart::travel(const double lo[3], const double hi[3]) const {
-  double most = 0;
+  double most = 0, own[2][3];
+  if (is_round_)
+    return dt_ * aspi_length(rate_.shift);
+  const bool is_own = extent(region_, own);
   for (int corner = 0; corner < 8; corner++) {
     double x[3], v[3];
     for (int d = 0; d < 3; d++)
-      x[d] = corner >> d & 1 ? hi[d] : lo[d];
+      x[d] = is_own ? own[corner >> d & 1][d] : corner >> d & 1 ? hi[d] : lo[d];
+    if (is_own)
+      motion_.end().to_world(x, x);
     for (double share : {0.0, 1.0}) {
       motion_.velocity(share, x, v);
       most = std::max(most, dt_ * aspi_length(v));
@@ -118,8 +168,9 @@ double RegionPart::travel(const double lo[3], const double hi[3]) const {
   return most;
 }
 
+/* One that looks the same however far it turns is not turned, as the search sees it. */
 double RegionPart::turn_speed() const {
-  return fabs(rate_.angle);
+  return is_round_ ? 0 : fabs(rate_.angle);
 }
 
 /* The way from one end of the step to the other, as the part sees it, and what turns it. */

@@ -44,7 +44,8 @@ public:
   void settle();
   void advance(double dt);
 
-  /* The distance that a point within a box moves in this step, at most; and the angular speed. */
+  /* The distance that a face moves in this step, at most; a part without ends is in the box. And
+   * the angular speed. */
   double travel(const double lo[3], const double hi[3]) const;
   double turn_speed() const;
 
@@ -79,6 +80,7 @@ private:
   int number_;
   bool moves_;
   double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
+  bool is_round_;              /* about that axis: it looks the same however far it has turned */
   Pose pose_, rate_;           /* at the end of the step, and in its mean */
   bool has_rate_;
   double dt_;
