@@ -224,12 +224,10 @@ public:
       turn(body);
       body.is_changed = false;
     }
-    step_walls(grains_.steppers(), grains_.spheres());
-    step_bodies(grains_.steppers(), bodies_);
+    step_walls(grains_.steppers(), grains_.spheres(), &bodies_);
     set_forces();
     kick();
-    end_walls(grains_.steppers(), grains_.spheres());
-    end_bodies(grains_.steppers(), bodies_);
+    end_walls(grains_.steppers(), grains_.spheres(), &bodies_);
     wall_->books.end_loads();
   }
 
