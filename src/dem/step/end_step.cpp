@@ -85,11 +85,8 @@ bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double 
 bool meet_face(AtEnd &now, Stepper &first, Touch &touch, double &hold, bool &sticks) {
   Contact &contact = touch.contact;
   const double v[3] = {now.v[0], now.v[1], now.v[2]};
-  Flight flight(now.mover, now.movers, first);
+  Flight flight(now.mover, now.movers, now, first);
   flight.put_at_end(now.x);
-  aspi_copy(now.v, flight.begin);
-  aspi_copy(now.v, flight.half);
-  aspi_add_scaled(now.v, -0.5 * now.dt, flight.a0, flight.v0);
   flight.set_spin(now.spin);
   touch.before = flight.path;
   aspi_copy(contact.x, touch.before.x);
@@ -273,7 +270,7 @@ static bool changes_along(const double n[3], const double change[3]) {
  * W_2 the works by the trapezoidal rule before and after the contact, for the acceleration linear
  * in time, and e = v_n2/v_n1, not above 1; 0 for a particle that was staying at the wall. Of a wall
  * with one contact only, where the contacts with others leave the normal motion alone. */
-void asperity::note_energy(const Flight &flight, const double x[3]) {
+void asperity::note_energy(const Flight &flight) {
   const Mover &mover = flight.mover;
   if (!mover.is_ball || !(aspi_dot(flight.a0, flight.a0) > 0))
     return; /* in free flight velocities stay what they are, to the bit */
@@ -294,7 +291,7 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
     double relative[3], leg1[3], leg2[3];
     aspi_subtract(flight.v0, event.contact.v_wall, relative);
     aspi_subtract(event.contact.x, flight.x0, leg1);
-    aspi_subtract(x, event.contact.x, leg2);
+    aspi_subtract(flight.path.x, event.contact.x, leg2);
     const double share = event.elapsed / flight.dt, a0 = aspi_dot(flight.a0, n);
     const double d1 = aspi_dot(leg1, n) - aspi_dot(event.contact.v_wall, n) * event.elapsed;
     const double d2 =
@@ -334,7 +331,7 @@ static void balance(Stepper &wall, const Movers &movers, int i) {
   const double change = (now < 0 ? -speed : speed) - now;
   const double p[3] = {change * n[0], change * n[1], change * n[2]};
   aspi_add_scaled(end.v, 1, p, end.v);
-  movers.write(mover, end);
+  movers.write(mover, end.v, end.spin);
   wall.books.add_load(static_cast<size_t>(rebound.shape),
                       mover.load(0, static_cast<int>(rebound.piece), end.x, n, end.x, p, NULL));
 }
@@ -348,7 +345,7 @@ static void end_one(const Walls &walls, const Movers &movers, int i, Resting &re
   AtEnd now(mover, movers);
   if (resting.hold(walls, now))
     return;
-  movers.write(mover, now);
+  movers.write(mover, now.v, now.spin);
   movers.push(mover, resting.push, resting.twist);
 }
 
@@ -359,7 +356,7 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
   for (size_t w = 0; w < walls.size(); w++) {
     const Members &of = movers.members(*walls[w]);
     for (int i : of.touching)
-      if (of.rows.status(i) == Status::RESTING && !is_stuck(walls, movers, i))
+      if (of.rows.status(i) == Status::RESTING && !movers.is_stuck(walls, i))
         all.push_back(Near{i, static_cast<int>(w)});
   }
   if (!std::is_sorted(all.begin(), all.end()))

@@ -40,12 +40,9 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
 /* ---- the path ---------------------------------------------------------------------------------
  */
 
-Flight::Flight(Mover &m, const Movers &movers, Stepper &first)
+Flight::Flight(Mover &m, const Movers &movers, const Instant &now, Stepper &first)
     : mover(m), dt(movers.dt), step(movers.step), is_led(true), squeezed(false),
       searches_all(m.body), is_apart(false), way(0), series_begin(0) {
-  Instant now;
-  movers.read(m, now);
-  movers.read_rates(m, now);
   path.left = path.dt = stretch = dt;
   path.rest = 0;
   aspi_copy(now.v, path.v);

@@ -83,7 +83,7 @@ struct Flight {
   double series_spin[3];
 
   /* A mover as the engine has moved it; or at the end of the step. first: of the run's walls. */
-  Flight(Mover &mover, const Movers &movers, Stepper &first);
+  Flight(Mover &mover, const Movers &movers, const Instant &now, Stepper &first);
   void put_at_end(const double x[3]);
 
   double elapsed() const {
@@ -170,9 +170,6 @@ private:
 /* Gives the mover, which had the velocity v, what the last event leaves it; true: it has stuck. */
 bool take_impact(const Site &site, const double v[3]);
 
-/* step.cpp: true if a mover is stuck to a wall. */
-bool is_stuck(const std::vector<Stepper *> &walls, const Movers &movers, int i);
-
 /* step.cpp: counts the impacts, and takes what has stuck along with the wall. */
 void count_events(const Flight &flight);
 void leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers);
@@ -181,9 +178,8 @@ void leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers)
  * the step. */
 void stick(const Touch &touch, const Mover &mover, const Movers &movers, double left);
 
-/* end_step.cpp: notes the energy of the rebounds of a ball, which has come to x, for the end of the
- * step. */
-void note_energy(const Flight &flight, const double x[3]);
+/* end_step.cpp: notes the energy of the rebounds of a ball on its way, for the end of the step. */
+void note_energy(const Flight &flight);
 
 } // namespace asperity
 

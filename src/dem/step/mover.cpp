@@ -173,19 +173,18 @@ void Movers::place(const Mover &mover, const double x[3]) const {
   memcpy(body.axes, mover.axes, sizeof body.axes);
 }
 
-void Movers::write(const Mover &mover, const Instant &now) const {
-  place(mover, now.x);
+void Movers::write(const Mover &mover, const double v[3], const double spin[3]) const {
   if (mover.body) {
     Body &body = bodies->all[static_cast<size_t>(mover.i)];
     body.is_changed = true;
-    aspi_copy(now.v, body.v);
-    mover.momentum_of(now.spin, body.angular_momentum);
+    aspi_copy(v, body.v);
+    mover.momentum_of(spin, body.angular_momentum);
     aspi_scale(mover.mass, body.angular_momentum);
   } else {
     const size_t at = 3 * static_cast<size_t>(mover.i);
-    aspi_copy(now.v, grains->v + at);
+    aspi_copy(v, grains->v + at);
     if (grains->omega)
-      aspi_copy(now.spin, grains->omega + at);
+      aspi_copy(spin, grains->omega + at);
   }
 }
 

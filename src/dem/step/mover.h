@@ -78,6 +78,14 @@ public:
   Members &members(Stepper &wall) const {
     return bodies ? wall.bodies : wall.grains;
   }
+  bool is_stuck(const std::vector<Stepper *> &walls, int i) const {
+    for (Stepper *wall : walls) {
+      const Members &of = members(*wall);
+      if (!of.stuck.empty() && of.rows.is_stuck(i))
+        return true;
+    }
+    return false;
+  }
   /* Each as a sphere that has all of it. */
   Spheres bounds() const {
     return bodies ? bodies->bounds() : *grains;
@@ -85,9 +93,9 @@ public:
 
   void read(const Mover &mover, Instant &now) const; /* not the rates */
   void read_rates(const Mover &mover, Instant &now) const;
-  /* Where a mover is, with its axes; and how it moves. */
+  /* Where it is, with its axes; and its velocity and spin. */
   void place(const Mover &mover, const double x[3]) const;
-  void write(const Mover &mover, const Instant &now) const;
+  void write(const Mover &mover, const double v[3], const double spin[3]) const;
   /* Adds accelerations to what acts on it. */
   void push(const Mover &mover, const double a[3], const double alpha[3]) const;
 };

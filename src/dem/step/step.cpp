@@ -131,9 +131,10 @@ static bool search(const Walls &walls, const Flight &flight, double wider,
     }
     touches.push_back(touch);
   }
-  std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
-    return one.contact.time < other.contact.time;
-  });
+  if (touches.size() > 1)
+    std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
+      return one.contact.time < other.contact.time;
+    });
   return !touches.empty();
 }
 
@@ -601,12 +602,11 @@ void asperity::count_events(const Flight &flight) {
 }
 
 void asperity::leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers) {
-  Instant left;
-  aspi_copy(flight.path.x, left.x);
-  aspi_subtract(flight.half, flight.begin, left.v); /* what the impact has left it */
-  aspi_add_scaled(left.v, 1, touch.contact.v_wall, left.v);
-  aspi_copy(flight.events.back().result.omega, left.spin);
-  movers.write(flight.mover, left);
+  double v[3]; /* what the impact has left it */
+  aspi_subtract(flight.half, flight.begin, v);
+  aspi_add_scaled(v, 1, touch.contact.v_wall, v);
+  movers.place(flight.mover, flight.path.x);
+  movers.write(flight.mover, v, flight.events.back().result.omega);
   stick(touch, flight.mover, movers, flight.path.left);
 }
 
@@ -649,7 +649,10 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
   if (grains ? !meets(near, *grains, i) : movers.bodies->all[static_cast<size_t>(i)].is_led)
     return;
   Mover mover(movers, i);
-  Flight flight(mover, movers, *walls[0]);
+  Instant now;
+  movers.read(mover, now);
+  movers.read_rates(mover, now);
+  Flight flight(mover, movers, now, *walls[0]);
   Touch stuck;
   const double most = grains ? Ahead::bend(grains->radius[i]) / movers.dt : 0;
   if (!fly(walls, grains ? near : walls, flight, most, stuck)) {
@@ -662,23 +665,11 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
     leave_stuck(flight, stuck, movers);
     return;
   }
-  Instant end;
   if (flight.path.left > 0)
     flight.leap(flight.path.left);
-  aspi_copy(flight.path.x, end.x);
-  aspi_copy(flight.half, end.v);
-  aspi_copy(flight.spin, end.spin);
-  movers.write(mover, end);
-  note_energy(flight, end.x);
-}
-
-bool asperity::is_stuck(const Walls &walls, const Movers &movers, int i) {
-  for (Stepper *wall : walls) {
-    const Members &of = movers.members(*wall);
-    if (!of.stuck.empty() && of.rows.is_stuck(i))
-      return true;
-  }
-  return false;
+  movers.place(mover, flight.path.x);
+  movers.write(mover, flight.half, flight.spin);
+  note_energy(flight);
 }
 
 /* Stuck movers go with their wall, then the few others that may touch a wall are searched. */
@@ -701,7 +692,7 @@ static void step_movers(const Walls &walls, const Movers &movers) {
     for (; k < near.size() && near[k].i == i; k++)
       if (near_walls.empty() || near_walls.back() != walls[near[k].wall])
         near_walls.push_back(walls[near[k].wall]);
-    if (!is_stuck(walls, movers, i))
+    if (!movers.is_stuck(walls, i))
       fly_one(walls, near_walls, movers, i);
   }
 }

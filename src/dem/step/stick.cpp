@@ -90,9 +90,7 @@ static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
   aspi_subtract(at.omega, now.spin, turn);
   if (!(aspi_dot(change, change) + aspi_dot(turn, turn) > 0))
     return;
-  aspi_copy(at.v, now.v);
-  aspi_copy(at.omega, now.spin);
-  movers.write(mover, now);
+  movers.write(mover, at.v, at.omega);
   if (!(at.shape >= 1))
     return;
   const size_t anchor = mover.anchor(at);
@@ -255,9 +253,9 @@ static int face_now(const Member &member, const Stuck &at) {
 /* A deposit that the flow takes away rests at the wall, and does not stick again before it has left
  * it. */
 void Stepper::let_go(const Movers &movers) {
-  if (!setup.model.has_flow())
-    return;
   Members &of = movers.members(*this);
+  if (of.stuck.empty() || !setup.model.has_flow())
+    return;
   size_t kept = 0;
   for (StuckOne &at : of.stuck) {
     Memory &memory = of.rows.own(at.i);
