@@ -13,8 +13,7 @@
 #include "dem/books/books.h"
 #include "dem/text.h"
 #include "dem/setup.h"
-#include "dem/step/bodies.h"
-#include "dem/step/stepper.h"
+#include "dem/step/mover.h"
 
 namespace asperity {
 

@@ -286,9 +286,7 @@ public:
       Bodies *all = take_bodies();
       if (all && all->begins) /* the run */
         warn_of_bodies(*all);
-      step_walls(steppers(), this->spheres());
-      if (all)
-        step_bodies(steppers(), *all);
+      step_walls(steppers(), this->spheres(), all);
     } catch (const std::exception &wrong) {
       fail_alone(message_of(wrong));
     }
@@ -341,10 +339,10 @@ public:
     Spheres s = this->spheres();
     Bodies *all = take_bodies();
     s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
-    end_walls(steppers(), s);
-    if (all) {
+    if (all)
       all->dt = s.dt;
-      end_bodies(steppers(), *all);
+    end_walls(steppers(), s, all);
+    if (all) {
       bodies().put(true, this->world());
       body_rows_.show(steppers(), *all, this->world());
     }

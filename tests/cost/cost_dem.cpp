@@ -155,8 +155,8 @@ void count_body(const char *what, double turn) {
     turn_free(body.inertia, body.angular_momentum, DT, body.axes);
     body.is_changed = false;
     count_on();
-    step_bodies(none.steppers(), bodies);
-    end_bodies(none.steppers(), bodies);
+    step_walls(none.steppers(), none.spheres(), &bodies);
+    end_walls(none.steppers(), none.spheres(), &bodies);
     count_off();
     bodies.begins = false;
   }

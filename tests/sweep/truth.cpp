@@ -178,8 +178,8 @@ void box(double diameters, int n, int steps) {
       advance(rod, dt);
       rod.is_changed = false;
     }
-    step_bodies(none.steppers(), bodies);
-    end_bodies(none.steppers(), bodies);
+    step_walls(none.steppers(), none.spheres(), &bodies);
+    end_walls(none.steppers(), none.spheres(), &bodies);
     bodies.begins = false;
     for (const Body &rod : bodies.all) {
       for (int k = 0; k < 3; k++)

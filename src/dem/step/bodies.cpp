@@ -44,7 +44,7 @@ Spheres Bodies::bounds() {
 static void begin_run(Stepper &wall, Bodies &bodies, bool is_first) {
   wall.bodies.begin_run(wall.setup, bodies.bounds());
   for (size_t b = 0; b < bodies.all.size(); b++) {
-    const Mover mover(bodies, b);
+    const Mover mover(bodies, static_cast<int>(b));
     const Body &body = bodies.all[b];
     if (is_first)
       wall.body_rows.set_attitude(mover.i, bodies.step, body.axes);
@@ -53,7 +53,7 @@ static void begin_run(Stepper &wall, Bodies &bodies, bool is_first) {
     Stuck &at = wall.body_rows.stuck(mover.i);
     memcpy(at.axes, body.axes, sizeof at.axes);
     if (!(at.shape >= 1)) {
-      arm_of(body, mover.anchor(at), at.at);
+      mover.arm(mover.anchor(at), at.at);
       aspi_add_scaled(at.at, 1, body.x, at.at);
     }
   }

@@ -139,16 +139,6 @@ std::vector<std::string> doubts_of(const Bodies &bodies, const std::string &reme
  * their memories of the walls come along. Collective. */
 void claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm world);
 
-/* All contacts of the bodies in a step, after step_walls(). */
-void step_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
-
-/* As for grains. */
-void push_again(const std::vector<Stepper *> &walls, Bodies &bodies);
-
-/* The end of a step, after its forces: stuck bodies get their wall's velocity, and walls hold those
- * that rest. */
-void end_bodies(const std::vector<Stepper *> &walls, Bodies &bodies);
-
 } // namespace asperity
 
 #endif

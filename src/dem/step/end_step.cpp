@@ -34,13 +34,15 @@ const size_t NOTED_MOST = 32;
 /* Cosine below which two directions are at right angles. */
 const double ACROSS = 1e-9;
 
-/* A mover at the end of a step: its place, and what it would have without the walls, velocity and
- * spin with their rates. */
-struct AtEnd {
+/* A mover at the end of a step, as it would be without the walls. */
+struct AtEnd : Instant {
   Mover &mover;
+  const Movers &movers;
   const double dt;
-  double x[3], v[3], spin[3], a[3], alpha[3];
-  AtEnd(Mover &of, double step) : mover(of), dt(step) {}
+  AtEnd(Mover &one, const Movers &all) : mover(one), movers(all), dt(all.dt) {
+    all.read(one, *this);
+    all.read_rates(one, *this);
+  }
 };
 
 /* The contact of a sphere that rests at a face; false: it is there no more. Fills what a rest needs
@@ -78,28 +80,13 @@ bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double 
   return fabs(contact.curve) * now.dt < CURVE * aspi_length(u);
 }
 
-void leave(const Flight &flight, const Touch &touch, const Spheres &s) {
-  leave_stuck(flight, touch, s);
-}
-
-void leave(const Flight &flight, const Touch &touch, Bodies &bodies) {
-  Body &body = bodies.all[static_cast<size_t>(flight.mover.i)];
-  aspi_copy(flight.begin, body.v);
-  flight.mover.momentum_of(flight.spin, body.angular_momentum);
-  aspi_scale(body.mass, body.angular_momentum);
-  leave_stuck(flight, touch, bodies);
-}
-
 /* The hold of the valley at a rough wall; where the sphere has come to the next face, it hits that.
  * True where it has. */
-template <class Kind>
-bool meet_face(AtEnd &now, Kind &kind, Stepper &first, Touch &touch, double &hold, bool &sticks) {
+bool meet_face(AtEnd &now, Stepper &first, Touch &touch, double &hold, bool &sticks) {
   Contact &contact = touch.contact;
   const double v[3] = {now.v[0], now.v[1], now.v[2]};
-  Flight flight(now.mover, kind, first);
+  Flight flight(now.mover, now.movers, now, first);
   flight.put_at_end(now.x);
-  aspi_copy(now.v, flight.begin);
-  aspi_add_scaled(now.v, -0.5 * now.dt, flight.a0, flight.v0);
   flight.set_spin(now.spin);
   touch.before = flight.path;
   aspi_copy(contact.x, touch.before.x);
@@ -114,7 +101,7 @@ bool meet_face(AtEnd &now, Kind &kind, Stepper &first, Touch &touch, double &hol
     return false;
   sticks = take_impact(site, v);
   if (sticks)
-    leave(flight, touch, kind);
+    leave_stuck(flight, touch, now.movers);
   count_events(flight);
   aspi_copy(flight.begin, now.v);
   aspi_copy(flight.spin, now.spin);
@@ -143,20 +130,17 @@ struct Resting {
   Resting() : count(0) {}
 
   /* Changes velocity and spin to those of the end of the step. True: it has stuck. */
-  template <class Kind> bool hold(const Walls &walls, Kind &kind, AtEnd &now);
+  bool hold(const Walls &walls, AtEnd &now);
 
 private:
-  template <class Kind>
-  bool find(const Walls &walls, Kind &kind, AtEnd &now, const double v[3], const double spin[3],
-            bool &sticks);
+  bool find(const Walls &walls, AtEnd &now, const double v[3], const double spin[3], bool &sticks);
   void keep(const Walls &walls, const AtEnd &now, const double v[3], const double spin[3]);
 };
 
 /* v, spin: in the middle of the next step, without the walls. False: it has hit a face on its way,
  * and these are others. */
-template <class Kind>
-bool Resting::find(const Walls &walls, Kind &kind, AtEnd &now, const double v[3],
-                   const double spin[3], bool &sticks) {
+bool Resting::find(const Walls &walls, AtEnd &now, const double v[3], const double spin[3],
+                   bool &sticks) {
   Mover &mover = now.mover;
   count = 0;
   for (Stepper *wall : walls) {
@@ -172,7 +156,7 @@ bool Resting::find(const Walls &walls, Kind &kind, AtEnd &now, const double v[3]
       Touch &at = held[count];
       if (!look_under(now, rest, *wall, v, spin, at, distance))
         continue;
-      if (wall->is_rough && meet_face(now, kind, *walls[0], at, hold, sticks)) {
+      if (wall->is_rough && meet_face(now, *walls[0], at, hold, sticks)) {
         if (!sticks)
           of.drop_rest(k);
         mover.members(*wall).ahead.expire(mover.i);
@@ -245,13 +229,13 @@ void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], cons
   }
 }
 
-template <class Kind> bool Resting::hold(const Walls &walls, Kind &kind, AtEnd &now) {
+bool Resting::hold(const Walls &walls, AtEnd &now) {
   double before[3], turning[3], v[3], spin[3];
   bool sticks = false;
   do {
     aspi_add_scaled(now.v, 0.5 * now.dt, now.a, before);
     aspi_add_scaled(now.spin, 0.5 * now.dt, now.alpha, turning);
-  } while (!find(walls, kind, now, before, turning, sticks) && !sticks);
+  } while (!find(walls, now, before, turning, sticks) && !sticks);
   if (sticks)
     return true;
   aspi_copy(before, v);
@@ -286,7 +270,7 @@ static bool changes_along(const double n[3], const double change[3]) {
  * W_2 the works by the trapezoidal rule before and after the contact, for the acceleration linear
  * in time, and e = v_n2/v_n1, not above 1; 0 for a particle that was staying at the wall. Of a wall
  * with one contact only, where the contacts with others leave the normal motion alone. */
-void asperity::note_energy(const Flight &flight, const double x[3]) {
+void asperity::note_energy(const Flight &flight) {
   const Mover &mover = flight.mover;
   if (!mover.is_ball || !(aspi_dot(flight.a0, flight.a0) > 0))
     return; /* in free flight velocities stay what they are, to the bit */
@@ -307,7 +291,7 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
     double relative[3], leg1[3], leg2[3];
     aspi_subtract(flight.v0, event.contact.v_wall, relative);
     aspi_subtract(event.contact.x, flight.x0, leg1);
-    aspi_subtract(x, event.contact.x, leg2);
+    aspi_subtract(flight.path.x, event.contact.x, leg2);
     const double share = event.elapsed / flight.dt, a0 = aspi_dot(flight.a0, n);
     const double d1 = aspi_dot(leg1, n) - aspi_dot(event.contact.v_wall, n) * event.elapsed;
     const double d2 =
@@ -332,110 +316,47 @@ void asperity::note_energy(const Flight &flight, const double x[3]) {
 /* The end of a step with a rebound: the normal velocity by its energy, where a acts. Without it,
  * particles that touch each other at a wall would gain or lose energy at each rebound, in steps
  * that resolve their contact well. */
-static void balance(Stepper &wall, const Mover &mover, const double x[3], const double a[3],
-                    double v[3]) {
+static void balance(Stepper &wall, const Movers &movers, int i) {
+  const Mover mover(movers, i);
   const Rebound &rebound = mover.at(wall).own().rebound[0];
   const double *n = rebound.normal;
   double v1[3];
-  aspi_subtract(v, rebound.v_wall, v1);
+  Instant end;
+  movers.read(mover, end);
+  movers.read_rates(mover, end);
+  aspi_subtract(end.v, rebound.v_wall, v1);
   const double now = aspi_dot(v1, n);
-  const double square = rebound.square + rebound.work * aspi_dot(a, n);
+  const double square = rebound.square + rebound.work * aspi_dot(end.a, n);
   const double speed = sqrt(std::max(0.0, square));
   const double change = (now < 0 ? -speed : speed) - now;
   const double p[3] = {change * n[0], change * n[1], change * n[2]};
-  aspi_add_scaled(v, 1, p, v);
+  aspi_add_scaled(end.v, 1, p, end.v);
+  movers.write(mover, end.v, end.spin);
   wall.books.add_load(static_cast<size_t>(rebound.shape),
-                      mover.load(0, static_cast<int>(rebound.piece), x, n, x, p, NULL));
+                      mover.load(0, static_cast<int>(rebound.piece), end.x, n, end.x, p, NULL));
 }
 
 /* ---- movers -----------------------------------------------------------------------------------
  */
 
-static void balance(Stepper &wall, const Spheres &s, int i) {
-  const size_t at = 3 * static_cast<size_t>(i);
-  double a[3] = {0, 0, 0};
-  aspi_add_scaled(a, 1 / s.mass[i], s.f + at, a);
-  balance(wall, Mover(s, i), s.x + at, a, s.v + at);
-}
-
-static void balance(Stepper &wall, Bodies &bodies, int i) {
-  Body &body = bodies.all[static_cast<size_t>(i)];
-  balance(wall, Mover(bodies, static_cast<size_t>(i)), body.x, body.acceleration, body.v);
-  body.is_changed = true;
-}
-
-/* Adds what walls give a mover to the forces that act on it. */
-static void add_push(const Mover &mover, const Spheres &s, const double push[3],
-                     const double twist[3]) {
-  const size_t at = 3 * static_cast<size_t>(mover.i);
-  const double radius = mover.sphere->radius;
-  aspi_add_scaled(s.f + at, mover.mass, push, s.f + at);
-  if (s.torque)
-    aspi_add_scaled(s.torque + at, 0.4 * mover.mass * radius * radius, twist, s.torque + at);
-}
-
-static void add_push(const Mover &mover, Bodies &bodies, const double push[3],
-                     const double twist[3]) {
-  Body &body = bodies.all[static_cast<size_t>(mover.i)];
-  double torque[3];
-  aspi_add_scaled(body.acceleration, 1, push, body.acceleration);
-  mover.momentum_of(twist, torque);
-  aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
-  body.is_changed = true;
-}
-
-/* A grain that rests at these walls. */
-static void end_one(const Walls &walls, const Spheres &s, int i, Resting &resting) {
-  Mover mover(s, i);
-  AtEnd now(mover, s.dt);
-  const size_t at = 3 * static_cast<size_t>(i);
-  const double mass = s.mass[i], radius = s.radius[i];
-  aspi_copy(s.x + at, now.x);
-  aspi_copy(s.v + at, now.v);
-  aspi_copy(s.f + at, now.a);
-  aspi_scale(1 / mass, now.a);
-  aspi_copy(s.omega ? s.omega + at : NONE, now.spin);
-  aspi_copy(s.torque ? s.torque + at : NONE, now.alpha);
-  aspi_scale(1 / (0.4 * mass * radius * radius), now.alpha);
-  if (resting.hold(walls, s, now))
+/* A mover that rests at these walls. */
+static void end_one(const Walls &walls, const Movers &movers, int i, Resting &resting) {
+  Mover mover(movers, i);
+  AtEnd now(mover, movers);
+  if (resting.hold(walls, now))
     return;
-  aspi_copy(now.v, s.v + at);
-  if (s.omega)
-    aspi_copy(now.spin, s.omega + at);
-  add_push(mover, s, resting.push, resting.twist);
-}
-
-static void end_one(const Walls &walls, Bodies &bodies, int i, Resting &resting) {
-  Body &body = bodies.all[static_cast<size_t>(i)];
-  Mover mover(bodies, static_cast<size_t>(i));
-  AtEnd now(mover, bodies.dt);
-  double of_mass[3];
-  aspi_copy(body.x, now.x);
-  aspi_copy(body.v, now.v);
-  aspi_copy(body.acceleration, now.a);
-  aspi_copy(body.angular_momentum, of_mass);
-  aspi_scale(1 / mover.mass, of_mass);
-  mover.spin_of(of_mass, now.spin);
-  aspi_copy(body.torque, of_mass);
-  aspi_scale(1 / mover.mass, of_mass);
-  mover.spin_of(of_mass, now.alpha);
-  body.is_changed = true;
-  if (resting.hold(walls, bodies, now))
-    return;
-  aspi_copy(now.v, body.v);
-  mover.momentum_of(now.spin, body.angular_momentum);
-  aspi_scale(mover.mass, body.angular_momentum);
-  add_push(mover, bodies, resting.push, resting.twist);
+  movers.write(mover, now.v, now.spin);
+  movers.push(mover, resting.push, resting.twist);
 }
 
 /* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
-template <class Kind, class Act> static void for_resting(const Walls &walls, Kind &kind, Act act) {
+template <class Act> static void for_resting(const Walls &walls, const Movers &movers, Act act) {
   std::vector<Near> all;
   Walls held_by;
   for (size_t w = 0; w < walls.size(); w++) {
-    const Members &of = walls[w]->members(kind);
+    const Members &of = movers.members(*walls[w]);
     for (int i : of.touching)
-      if (of.rows.status(i) == Status::RESTING && !is_stuck(walls, kind, i))
+      if (of.rows.status(i) == Status::RESTING && !movers.is_stuck(walls, i))
         all.push_back(Near{i, static_cast<int>(w)});
   }
   if (!std::is_sorted(all.begin(), all.end()))
@@ -449,59 +370,46 @@ template <class Kind, class Act> static void for_resting(const Walls &walls, Kin
   }
 }
 
-template <class Kind> static void end_movers(const Walls &walls, Kind &kind) {
+static void end_movers(const Walls &walls, const Movers &movers) {
   Resting resting;
   for (Stepper *wall : walls) {
-    Members &of = wall->members(kind);
-    wall->hold_stuck(kind);
+    const Members &of = movers.members(*wall);
+    wall->hold_stuck(movers);
     for (int i : of.touching)
       if (of.rows.status(i) == Status::REBOUNDED)
-        balance(*wall, kind, i);
+        balance(*wall, movers, i);
   }
-  for_resting(walls, kind,
-              [&](const Walls &held_by, int i) { end_one(held_by, kind, i, resting); });
+  for_resting(walls, movers,
+              [&](const Walls &held_by, int i) { end_one(held_by, movers, i, resting); });
 }
 
 /* A set-up has other forces if they differ by more than this share. */
 static const double SAME_FORCE = 1e-9;
 
-/* The mover that rests and its walls, of a set-up; a: its acceleration. Where the script has
- * changed the forces, the walls' old ones would move it, and the next step finds new ones. */
-template <class Kind>
-static void push_one(const Walls &walls, const Mover &mover, Kind &kind, const double a[3]) {
-  const double *before = mover.at(*walls[0]).own().free;
-  double push[3], twist[3], change[3];
-  aspi_subtract(a, before, change);
-  if (aspi_length(change) > SAME_FORCE * aspi_length(before))
-    return;
-  sum_pushes(walls, mover, push, twist);
-  add_push(mover, kind, push, twist);
-}
-
-void asperity::push_again(const Walls &walls, const Spheres &s) {
-  for_resting(walls, s, [&](const Walls &held_by, int i) {
-    double a[3];
-    aspi_copy(s.f + 3 * static_cast<size_t>(i), a);
-    aspi_scale(1 / s.mass[i], a);
-    push_one(held_by, Mover(s, i), s, a);
+/* Where the script has changed the forces, the walls' old ones would move what rests, and the next
+ * step finds new ones. */
+void asperity::push_again(const Walls &walls, const Movers &movers) {
+  for_resting(walls, movers, [&](const Walls &held_by, int i) {
+    const Mover mover(movers, i);
+    const double *before = mover.at(*held_by[0]).own().free;
+    double push[3], twist[3], change[3];
+    Instant now;
+    movers.read_rates(mover, now);
+    aspi_subtract(now.a, before, change);
+    if (aspi_length(change) > SAME_FORCE * aspi_length(before))
+      return;
+    sum_pushes(held_by, mover, push, twist);
+    movers.push(mover, push, twist);
   });
 }
 
-void asperity::push_again(const Walls &walls, Bodies &bodies) {
-  for_resting(walls, bodies, [&](const Walls &held_by, int i) {
-    const Mover mover(bodies, static_cast<size_t>(i));
-    push_one(held_by, mover, bodies, mover.body->acceleration);
-  });
-}
-
-void asperity::end_walls(const Walls &walls, const Spheres &s) {
+void asperity::end_walls(const Walls &walls, const Spheres &spheres, Bodies *bodies) {
   for (Stepper *wall : walls)
     wall->books.expire();
-  end_movers(walls, s);
-}
-
-void asperity::end_bodies(const Walls &walls, Bodies &bodies) {
-  for (Body &body : bodies.all)
+  end_movers(walls, spheres);
+  if (!bodies)
+    return;
+  for (Body &body : bodies->all)
     body.is_changed = false;
-  end_movers(walls, bodies);
+  end_movers(walls, *bodies);
 }

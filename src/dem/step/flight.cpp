@@ -40,49 +40,40 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
 /* ---- the path ---------------------------------------------------------------------------------
  */
 
-void Flight::begin_with(const double x[3], const double v[3], const double a[3]) {
-  path.left = path.dt = dt;
+Flight::Flight(Mover &m, const Movers &movers, const Instant &now, Stepper &first)
+    : mover(m), dt(movers.dt), step(movers.step), is_led(true), squeezed(false),
+      searches_all(m.body), is_apart(false), way(0), series_begin(0) {
+  path.left = path.dt = stretch = dt;
   path.rest = 0;
-  aspi_copy(v, path.v);
-  aspi_copy(v, half);
-  aspi_add_scaled(x, -dt, v, path.x);
-  aspi_copy(a, acceleration);
+  aspi_copy(now.v, path.v);
+  aspi_copy(now.v, half);
+  aspi_add_scaled(now.x, -dt, now.v, path.x);
+  aspi_copy(now.a, acceleration);
   aspi_copy(path.x, x0);
-  aspi_add_scaled(v, -0.5 * dt, acceleration, v0);
+  aspi_add_scaled(now.v, -0.5 * dt, acceleration, v0);
   aspi_copy(v0, begin);
   aspi_copy(acceleration, a0);
   aspi_copy(acceleration, free);
-  stretch = dt;
+  aspi_copy(now.spin, spin);
   for (int d = 0; d < 3; d++)
     turning[d] = lift[d] = settled[d] = 0;
+  if (m.body)
+    turn_back(first);
 }
 
-Flight::Flight(Mover &m, const Spheres &s, Stepper &)
-    : mover(m), dt(s.dt), step(s.step), is_led(true), squeezed(false), searches_all(false),
-      is_apart(false), way(0), series_begin(0) {
-  const size_t at = 3 * static_cast<size_t>(m.i);
-  double a[3];
-  aspi_copy(s.f + at, a);
-  aspi_scale(1 / m.mass, a);
-  begin_with(s.x + at, s.v + at, a);
-  aspi_copy(s.omega ? s.omega + at : NONE, spin);
-}
-
-Flight::Flight(Mover &m, const Bodies &bodies, Stepper &first)
-    : mover(m), dt(bodies.dt), step(bodies.step), is_led(true), squeezed(false), searches_all(true),
-      is_apart(false), way(0), series_begin(0) {
-  const Body &body = *m.body;
+/* The axes of a body at the beginning of the step. */
+void Flight::turn_back(const Stepper &first) {
+  const Body &body = *mover.body;
   Body start = body;
-  begin_with(body.x, body.v, body.acceleration);
   aspi_copy(body.angular_momentum, momentum);
-  aspi_scale(1 / m.mass, momentum);
-  const Memory *memory = first.body_rows.find(m.i);
+  aspi_scale(1 / mover.mass, momentum);
+  const Memory *memory = first.body_rows.find(mover.i);
   if (memory && !memory->attitude.empty() && static_cast<int64_t>(memory->attitude[0].step) == step)
     memcpy(start.axes, memory->attitude[0].axes, sizeof start.axes);
   else
     turn_free(start.inertia, start.angular_momentum, -dt, start.axes);
-  m.set_axes(start.axes);
-  m.spin_of(momentum, spin);
+  mover.set_axes(start.axes);
+  mover.spin_of(momentum, spin);
   turn_free(start.inertia, start.angular_momentum, dt, start.axes);
   turn_between(start.axes, body.axes, dt, lift); /* what the engine's step differs by */
   if (aspi_length(lift) * dt > LIFT)
@@ -169,6 +160,10 @@ void Flight::go_on(double time) {
 
 void Flight::leap(double time) {
   double to[3][3];
+  if (mover.is_ball) {
+    go_on(time);
+    return;
+  }
   turn_alone(time, to);
   turn_by(lift, time, to);
   aspi_copy(NONE, turning);

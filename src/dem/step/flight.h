@@ -82,10 +82,8 @@ struct Flight {
   size_t series_begin;
   double series_spin[3];
 
-  /* A grain or a body as the engine has moved it; or at the end of the step. first: of the run's
-   * walls. */
-  Flight(Mover &mover, const Spheres &spheres, Stepper &first);
-  Flight(Mover &mover, const Bodies &bodies, Stepper &first);
+  /* A mover as the engine has moved it; or at the end of the step. first: of the run's walls. */
+  Flight(Mover &mover, const Movers &movers, const Instant &now, Stepper &first);
   void put_at_end(const double x[3]);
 
   double elapsed() const {
@@ -113,7 +111,7 @@ struct Flight {
   void trap();
 
 private:
-  void begin_with(const double x[3], const double v[3], const double a[3]);
+  void turn_back(const Stepper &first);
   void act_along(const double n[3], double ahead[3]) const;
   void turn_alone(double time, double to[3][3]) const;
   void add_sustained(const Touch &touch, double least_speed, double hold);
@@ -174,17 +172,14 @@ bool take_impact(const Site &site, const double v[3]);
 
 /* step.cpp: counts the impacts, and takes what has stuck along with the wall. */
 void count_events(const Flight &flight);
-void leave_stuck(const Flight &flight, const Touch &touch, const Spheres &spheres);
-void leave_stuck(const Flight &flight, const Touch &touch, Bodies &bodies);
+void leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers);
 
 /* stick.cpp: notes where a mover has stuck, and takes it along with the wall for what is left of
  * the step. */
-void stick(const Touch &touch, const Mover &mover, const Spheres &spheres, double left);
-void stick(const Touch &touch, const Mover &mover, Bodies &bodies, double left);
+void stick(const Touch &touch, const Mover &mover, const Movers &movers, double left);
 
-/* end_step.cpp: notes the energy of the rebounds of a ball, which has come to x, for the end of the
- * step. */
-void note_energy(const Flight &flight, const double x[3]);
+/* end_step.cpp: notes the energy of the rebounds of a ball on its way, for the end of the step. */
+void note_energy(const Flight &flight);
 
 } // namespace asperity
 

@@ -4,6 +4,7 @@
 #include "dem/step/mover.h"
 
 #include <math.h>
+#include <string.h>
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -91,17 +92,20 @@ FacePlace &AtWall::new_face() const {
 /* ---- what it is -------------------------------------------------------------------------------
  */
 
-Mover::Mover(const Spheres &s, int which)
-    : i(which), body(NULL), mass(s.mass[i]), is_ball(true), sphere(&own_), count(1),
-      radius_(s.radius[i]) {
-  own_ = BodySphere{{0, 0, 0}, s.radius[i], s.type[i], s.mask[i], s.tag_of(i)};
-}
-
-Mover::Mover(const Bodies &bodies, size_t number)
-    : i(static_cast<int>(number)), body(&bodies.all[number]), mass(body->mass),
-      sphere(&bodies.spheres[body->first]), count(body->count), radius_(sphere->radius) {
-  is_ball = is_round(*body, *sphere);
-  set_axes(body->axes);
+Mover::Mover(const Movers &all, int which)
+    : i(which), body(NULL), is_ball(true), sphere(&own_), count(1) {
+  if (const Spheres *s = all.grains) {
+    mass = s->mass[i];
+    own_ = BodySphere{{0, 0, 0}, s->radius[i], s->type[i], s->mask[i], s->tag_of(i)};
+  } else {
+    body = &all.bodies->all[static_cast<size_t>(i)];
+    mass = body->mass;
+    sphere = &all.bodies->spheres[body->first];
+    count = body->count;
+    is_ball = is_round(*body, *sphere);
+    set_axes(body->axes);
+  }
+  radius_ = sphere->radius;
 }
 
 size_t Mover::number_of(double tag) const {
@@ -111,13 +115,95 @@ size_t Mover::number_of(double tag) const {
   return k;
 }
 
-const BodySphere &Mover::anchor(const Stuck &at) const {
+size_t Mover::anchor(const Stuck &at) const {
   const size_t k = number_of(at.sphere);
-  return sphere[k < count ? k : 0];
+  return k < count ? k : 0;
 }
 
 bool Mover::is_central(size_t k) const {
   return is_ball || aspi_length(sphere[k].arm) < CENTRAL * sphere[k].radius;
+}
+
+/* ---- all of them ------------------------------------------------------------------------------
+ */
+
+void Movers::read(const Mover &mover, Instant &now) const {
+  if (const Body *body = mover.body) {
+    double momentum[3];
+    aspi_copy(body->x, now.x);
+    aspi_copy(body->v, now.v);
+    aspi_copy(body->angular_momentum, momentum);
+    aspi_scale(1 / mover.mass, momentum);
+    mover.spin_of(momentum, now.spin);
+  } else {
+    const size_t at = 3 * static_cast<size_t>(mover.i);
+    aspi_copy(grains->x + at, now.x);
+    aspi_copy(grains->v + at, now.v);
+    aspi_copy(grains->omega ? grains->omega + at : NONE, now.spin);
+  }
+}
+
+void Movers::read_rates(const Mover &mover, Instant &now) const {
+  if (const Body *body = mover.body) {
+    double torque[3];
+    aspi_copy(body->acceleration, now.a);
+    aspi_copy(body->torque, torque);
+    aspi_scale(1 / mover.mass, torque);
+    mover.spin_of(torque, now.alpha);
+  } else {
+    const size_t at = 3 * static_cast<size_t>(mover.i);
+    const double radius = mover.sphere->radius;
+    aspi_copy(grains->f + at, now.a);
+    aspi_scale(1 / mover.mass, now.a);
+    aspi_copy(grains->torque ? grains->torque + at : NONE, now.alpha);
+    aspi_scale(1 / (0.4 * mover.mass * radius * radius), now.alpha);
+  }
+}
+
+void Movers::place(const Mover &mover, const double x[3]) const {
+  if (!mover.body) {
+    aspi_copy(x, grains->x + 3 * static_cast<size_t>(mover.i));
+    return;
+  }
+  Body &body = bodies->all[static_cast<size_t>(mover.i)];
+  if (memcmp(body.x, x, sizeof body.x) == 0 && memcmp(body.axes, mover.axes, sizeof body.axes) == 0)
+    return;
+  body.is_changed = true;
+  aspi_copy(x, body.x);
+  memcpy(body.axes, mover.axes, sizeof body.axes);
+}
+
+void Movers::write(const Mover &mover, const double v[3], const double spin[3]) const {
+  if (mover.body) {
+    Body &body = bodies->all[static_cast<size_t>(mover.i)];
+    body.is_changed = true;
+    aspi_copy(v, body.v);
+    mover.momentum_of(spin, body.angular_momentum);
+    aspi_scale(mover.mass, body.angular_momentum);
+  } else {
+    const size_t at = 3 * static_cast<size_t>(mover.i);
+    aspi_copy(v, grains->v + at);
+    if (grains->omega)
+      aspi_copy(spin, grains->omega + at);
+  }
+}
+
+void Movers::push(const Mover &mover, const double a[3], const double alpha[3]) const {
+  double torque[3];
+  if (mover.body) {
+    Body &body = bodies->all[static_cast<size_t>(mover.i)];
+    body.is_changed = true;
+    aspi_add_scaled(body.acceleration, 1, a, body.acceleration);
+    mover.momentum_of(alpha, torque);
+    aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
+  } else {
+    const size_t at = 3 * static_cast<size_t>(mover.i);
+    const double radius = mover.sphere->radius;
+    aspi_add_scaled(grains->f + at, mover.mass, a, grains->f + at);
+    if (grains->torque)
+      aspi_add_scaled(grains->torque + at, 0.4 * mover.mass * radius * radius, alpha,
+                      grains->torque + at);
+  }
 }
 
 /* ---- how it turns -----------------------------------------------------------------------------

@@ -56,10 +56,53 @@ private:
   const size_t spheres_;
 };
 
+class Mover;
+
+/* A mover at an instant: center of mass, velocity and spin, and the rates of these two by the
+ * forces that act on it. */
+struct Instant {
+  double x[3], v[3], spin[3], a[3], alpha[3];
+};
+
+/* The grains, or the bodies, of this rank in a step. */
+class Movers {
+public:
+  const Spheres *const grains; /* one of these two is NULL */
+  Bodies *const bodies;
+  const int64_t step;
+  const double dt;
+
+  Movers(const Spheres &of) : grains(&of), bodies(NULL), step(of.step), dt(of.dt) {}
+  Movers(Bodies &of) : grains(NULL), bodies(&of), step(of.step), dt(of.dt) {}
+
+  Members &members(Stepper &wall) const {
+    return bodies ? wall.bodies : wall.grains;
+  }
+  bool is_stuck(const std::vector<Stepper *> &walls, int i) const {
+    for (Stepper *wall : walls) {
+      const Members &of = members(*wall);
+      if (!of.stuck.empty() && of.rows.is_stuck(i))
+        return true;
+    }
+    return false;
+  }
+  /* Each as a sphere that has all of it. */
+  Spheres bounds() const {
+    return bodies ? bodies->bounds() : *grains;
+  }
+
+  void read(const Mover &mover, Instant &now) const; /* not the rates */
+  void read_rates(const Mover &mover, Instant &now) const;
+  /* Where it is, with its axes; and its velocity and spin. */
+  void place(const Mover &mover, const double x[3]) const;
+  void write(const Mover &mover, const double v[3], const double spin[3]) const;
+  /* Adds accelerations to what acts on it. */
+  void push(const Mover &mover, const double a[3], const double alpha[3]) const;
+};
+
 class Mover {
 public:
-  Mover(const Spheres &spheres, int i);
-  Mover(const Bodies &bodies, size_t number);
+  Mover(const Movers &all, int i);
   Mover(const Mover &) = delete;
 
   const int i;      /* of the grain, or of the body */
@@ -81,7 +124,7 @@ public:
   /* The number of the sphere with a tag, or how many there are; and the sphere that holds a stuck
    * mover. */
   size_t number_of(double tag) const;
-  const BodySphere &anchor(const Stuck &at) const;
+  size_t anchor(const Stuck &at) const;
 
   /* True if a sphere is about the center of mass, as far as engines find that. */
   bool is_central(size_t k) const;

@@ -131,9 +131,10 @@ static bool search(const Walls &walls, const Flight &flight, double wider,
     }
     touches.push_back(touch);
   }
-  std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
-    return one.contact.time < other.contact.time;
-  });
+  if (touches.size() > 1)
+    std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
+      return one.contact.time < other.contact.time;
+    });
   return !touches.empty();
 }
 
@@ -600,19 +601,13 @@ void asperity::count_events(const Flight &flight) {
     event.wall->books.count(event);
 }
 
-void asperity::leave_stuck(const Flight &flight, const Touch &touch, const Spheres &s) {
-  stick(touch, flight.mover, s, flight.path.left);
-  flight.give_rest(touch, s.v + 3 * static_cast<size_t>(flight.mover.i));
-}
-
-void asperity::leave_stuck(const Flight &flight, const Touch &touch, Bodies &bodies) {
-  Body &body = bodies.all[static_cast<size_t>(flight.mover.i)];
-  const Event &last = flight.events.back();
-  for (int d = 0; d < 3; d++) /* what the impact has left it */
-    body.v[d] += touch.contact.v_wall[d] - flight.begin[d];
-  flight.mover.momentum_of(last.result.omega, body.angular_momentum);
-  aspi_scale(body.mass, body.angular_momentum);
-  stick(touch, flight.mover, bodies, flight.path.left);
+void asperity::leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers) {
+  double v[3]; /* what the impact has left it */
+  aspi_subtract(flight.half, flight.begin, v);
+  aspi_add_scaled(v, 1, touch.contact.v_wall, v);
+  movers.place(flight.mover, flight.path.x);
+  movers.write(flight.mover, v, flight.events.back().result.omega);
+  stick(touch, flight.mover, movers, flight.path.left);
 }
 
 /* True if a grain's path meets one of these walls: those of most that are near do not. */
@@ -631,35 +626,11 @@ static bool meets(const Walls &near, const Spheres &s, int i) {
   return false;
 }
 
-/* All contacts of a grain. */
-static void fly_one(const Walls &walls, const Walls &near, const Spheres &s, int i) {
-  if (!meets(near, s, i))
-    return;
-  Mover mover(s, i);
-  Flight flight(mover, s, *walls[0]);
-  Touch stuck;
-  const size_t at = 3 * static_cast<size_t>(i);
-  if (!fly(walls, near, flight, Ahead::bend(s.radius[i]) / s.dt, stuck))
-    return;
-  if (stuck.wall)
-    leave_stuck(flight, stuck, s);
-  count_events(flight);
-  if (stuck.wall)
-    return;
-  aspi_copy(flight.half, s.v + at);
-  if (s.omega)
-    aspi_copy(flight.spin, s.omega + at);
-  aspi_add_scaled(flight.path.x, flight.path.left, flight.path.v, s.x + at);
-  note_energy(flight, s.x + at);
-}
-
 /* Where the engine's turn of a body differs from the one that was searched, the body takes that. */
-static void take_turn(Flight &flight, Body &body) {
+static void take_turn(Flight &flight, const Movers &movers) {
   const Mover &mover = flight.mover;
-  const double radius = mover.sphere->radius;
+  const Body &body = *mover.body;
   double off = 0;
-  if (mover.is_ball)
-    return;
   flight.go_on(flight.path.left);
   for (size_t k = 0; k < mover.count; k++) {
     double searched[3], arm[3];
@@ -668,59 +639,50 @@ static void take_turn(Flight &flight, Body &body) {
     aspi_subtract(searched, arm, arm);
     off = std::max(off, aspi_length(arm));
   }
-  if (!(off > ROUNDED * radius))
-    return;
-  for (int k = 0; k < 3; k++)
-    aspi_copy(mover.axes[k], body.axes[k]);
-  body.is_changed = true;
+  if (off > ROUNDED * mover.sphere->radius)
+    movers.place(mover, body.x);
 }
 
-/* All contacts of a body. */
-static void fly_one(const Walls &walls, const Walls &, Bodies &bodies, int i) {
-  Mover mover(bodies, static_cast<size_t>(i));
-  Flight flight(mover, bodies, *walls[0]);
-  Body &body = bodies.all[static_cast<size_t>(i)];
-  Touch stuck;
-  if (body.is_led)
+/* All contacts of a mover. */
+static void fly_one(const Walls &walls, const Walls &near, const Movers &movers, int i) {
+  const Spheres *grains = movers.grains;
+  if (grains ? !meets(near, *grains, i) : movers.bodies->all[static_cast<size_t>(i)].is_led)
     return;
-  if (!fly(walls, walls, flight, 0, stuck)) {
-    take_turn(flight, body);
+  Mover mover(movers, i);
+  Instant now;
+  movers.read(mover, now);
+  movers.read_rates(mover, now);
+  Flight flight(mover, movers, now, *walls[0]);
+  Touch stuck;
+  const double most = grains ? Ahead::bend(grains->radius[i]) / movers.dt : 0;
+  if (!fly(walls, grains ? near : walls, flight, most, stuck)) {
+    if (!mover.is_ball)
+      take_turn(flight, movers);
     return;
   }
-  body.is_changed = true;
   count_events(flight);
-  if (!stuck.wall && flight.path.left > 0)
+  if (stuck.wall) {
+    leave_stuck(flight, stuck, movers);
+    return;
+  }
+  if (flight.path.left > 0)
     flight.leap(flight.path.left);
-  aspi_copy(flight.path.x, body.x);
-  memcpy(body.axes, mover.axes, sizeof body.axes);
-  aspi_copy(flight.half, body.v);
-  aspi_copy(flight.momentum, body.angular_momentum);
-  aspi_scale(mover.mass, body.angular_momentum);
-  if (stuck.wall)
-    leave_stuck(flight, stuck, bodies);
-  else
-    note_energy(flight, body.x);
-}
-
-static const Spheres &bounds(const Spheres &s) {
-  return s;
-}
-
-static Spheres bounds(Bodies &bodies) {
-  return bodies.bounds();
+  movers.place(mover, flight.path.x);
+  movers.write(mover, flight.half, flight.spin);
+  note_energy(flight);
 }
 
 /* Stuck movers go with their wall, then the few others that may touch a wall are searched. */
-template <class Kind> static void step_movers(const Walls &walls, Kind &kind) {
+static void step_movers(const Walls &walls, const Movers &movers) {
   std::vector<Near> near;
   Walls near_walls;
-  const Spheres all = bounds(kind);
+  const Spheres all = movers.bounds();
   for (size_t w = 0; w < walls.size(); w++) {
-    Members &of = walls[w]->members(kind);
+    Members &of = movers.members(*walls[w]);
     const auto first = static_cast<std::ptrdiff_t>(near.size());
     of.begin_step();
-    walls[w]->let_go(kind);
-    walls[w]->carry_stuck(kind);
+    walls[w]->let_go(movers);
+    walls[w]->carry_stuck(movers);
     of.ahead.find_near(all, static_cast<int>(w), near);
     std::inplace_merge(near.begin(), near.begin() + first, near.end());
   }
@@ -730,22 +692,21 @@ template <class Kind> static void step_movers(const Walls &walls, Kind &kind) {
     for (; k < near.size() && near[k].i == i; k++)
       if (near_walls.empty() || near_walls.back() != walls[near[k].wall])
         near_walls.push_back(walls[near[k].wall]);
-    if (!is_stuck(walls, kind, i))
-      fly_one(walls, near_walls, kind, i);
+    if (!movers.is_stuck(walls, i))
+      fly_one(walls, near_walls, movers, i);
   }
 }
 
-void asperity::step_walls(const Walls &walls, const Spheres &s) {
+void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bodies) {
   for (Stepper *wall : walls)
-    wall->books.begin_step(s.step);
-  step_movers(walls, s);
-}
-
-void asperity::step_bodies(const Walls &walls, Bodies &bodies) {
-  step_movers(walls, bodies);
-  for (size_t b = 0; b < bodies.all.size(); b++)
-    walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies.step + 1, bodies.all[b].axes);
-  bodies.begins = false;
+    wall->books.begin_step(spheres.step);
+  step_movers(walls, spheres);
+  if (!bodies)
+    return;
+  step_movers(walls, *bodies);
+  for (size_t b = 0; b < bodies->all.size(); b++)
+    walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies->step + 1, bodies->all[b].axes);
+  bodies->begins = false;
 }
 
 /* ---- which movers are at a wall ---------------------------------------------------------------

@@ -19,6 +19,7 @@
 namespace asperity {
 
 class Bodies;
+class Movers;
 
 /* A stuck mover. If a wall at rest stopped a particle here in the half of a step before: where, and
  * the velocity and mass it had. */
@@ -66,13 +67,6 @@ struct Stepper {
 
   Stepper(const Setup &setup, Books &books);
 
-  Members &members(const Spheres &) {
-    return grains;
-  }
-  Members &members(const Bodies &) {
-    return bodies;
-  }
-
   /* Before a run. shape_now: of a restart, the shape, from 1, that is each of the saved ones, or 0;
    * empty otherwise. */
   void begin_run(const Spheres &spheres, const std::vector<int> &shape_now);
@@ -92,11 +86,9 @@ struct Stepper {
 
   /* stick.cpp: frees what the flow takes away in this step, moves what is stuck with the wall, and
    * gives it the wall's velocity at the end of the step. */
-  template <class Kind> void let_go(Kind &kind);
-  void carry_stuck(const Spheres &spheres);
-  void carry_stuck(Bodies &bodies);
-  void hold_stuck(const Spheres &spheres);
-  void hold_stuck(Bodies &bodies);
+  void let_go(const Movers &movers);
+  void carry_stuck(const Movers &movers);
+  void hold_stuck(const Movers &movers);
 
   /* Movers refer to shapes by numbers, which may differ in another script: from here on a memory
    * names a shape of this wall, or none. */
@@ -106,26 +98,16 @@ private:
   void drop_load(StuckOne &at, double share);
 };
 
-/* True if a particle or a body is stuck to a wall. */
-template <class Kind> bool is_stuck(const std::vector<Stepper *> &walls, const Kind &kind, int i) {
-  for (Stepper *wall : walls) {
-    const Members &of = wall->members(kind);
-    if (!of.stuck.empty() && of.rows.is_stuck(i))
-      return true;
-  }
-  return false;
-}
-
-/* All contacts of a step of all walls of a run. */
-void step_walls(const std::vector<Stepper *> &walls, const Spheres &spheres);
+/* All contacts of a step of all walls of a run, of grains and of bodies, if there are any. */
+void step_walls(const std::vector<Stepper *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
 
 /* When a run has computed its first forces, which are without the walls: adds those of the walls
  * that hold movers, as the step before has left them. */
-void push_again(const std::vector<Stepper *> &walls, const Spheres &spheres);
+void push_again(const std::vector<Stepper *> &walls, const Movers &movers);
 
-/* The end of a step, after its forces. A stuck particle gets its wall's velocity, walls hold those
+/* The end of a step, after its forces. What is stuck gets its wall's velocity, walls hold those
  * that rest (end_step.cpp), and one that has rebounded gets its energy. */
-void end_walls(const std::vector<Stepper *> &walls, const Spheres &spheres);
+void end_walls(const std::vector<Stepper *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
 
 } // namespace asperity
 

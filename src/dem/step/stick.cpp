@@ -35,19 +35,6 @@ static void follow(const Stepper &wall, Stuck &at, const double near[3], double 
   wall.setup.box.bring_near(near, x);
 }
 
-/* Gives the wall the load that holds a mover, by what has changed. */
-static void add_load(const Stepper &wall, const Mover &mover, const Stuck &at, size_t sphere,
-                     const double x[3], const double change[3], const double turn[3]) {
-  double center[3];
-  if (!(at.shape >= 1) || !(aspi_dot(change, change) + aspi_dot(turn, turn) > 0))
-    return;
-  mover.arm(sphere, center);
-  aspi_add_scaled(center, 1, x, center);
-  wall.books.add_load(
-      static_cast<size_t>(at.shape) - 1,
-      mover.load(sphere, static_cast<int>(at.piece), center, NONE, x, change, turn));
-}
-
 static Stuck &note(const Touch &touch, const Mover &mover) {
   Stepper &wall = *touch.wall;
   Members &of = mover.members(wall);
@@ -90,15 +77,57 @@ void Box::bring_near(const double near[3], double x[3]) const {
       x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
 }
 
-/* ---- particles --------------------------------------------------------------------------------
+/* ---- how it moves -----------------------------------------------------------------------------
  */
 
-/* Puts a stuck particle where its wall has it at the end of the step. */
-static void carry(Stepper &wall, const Spheres &s, int i, double left) {
-  Stuck &at = wall.rows.stuck(i);
-  double *x = s.x + 3 * static_cast<size_t>(i), on_wall[3];
-  follow(wall, at, x, s.radius[i], left, s.dt, false, on_wall);
-  aspi_copy(on_wall, x);
+/* Gives a stuck mover the velocity of its wall, with the load that holds it. */
+static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
+                     const Mover &mover) {
+  Instant now;
+  double change[3], turn[3], center[3];
+  movers.read(mover, now);
+  aspi_subtract(at.v, now.v, change);
+  aspi_subtract(at.omega, now.spin, turn);
+  if (!(aspi_dot(change, change) + aspi_dot(turn, turn) > 0))
+    return;
+  movers.write(mover, at.v, at.omega);
+  if (!(at.shape >= 1))
+    return;
+  const size_t anchor = mover.anchor(at);
+  mover.arm(anchor, center);
+  aspi_add_scaled(center, 1, now.x, center);
+  wall.books.add_load(
+      static_cast<size_t>(at.shape) - 1,
+      mover.load(anchor, static_cast<int>(at.piece), center, NONE, now.x, change, turn));
+}
+
+/* Puts a stuck mover where its wall has it at the end of the step. */
+static void carry(Stepper &wall, const Movers &movers, int i, double left) {
+  Stuck &at = movers.members(wall).rows.stuck(i);
+  Mover mover(movers, i);
+  Instant now;
+  double arm[3], x[3], off[3];
+  const size_t anchor = mover.anchor(at);
+  movers.read(mover, now);
+  mover.arm(anchor, arm);
+  aspi_add_scaled(now.x, 1, arm, now.x);
+  follow(wall, at, now.x, mover.sphere[anchor].radius, left, movers.dt, mover.body, x);
+  if (mover.body) {
+    mover.set_axes(at.axes);
+    mover.arm(anchor, arm);
+    aspi_subtract(x, arm, x);
+    aspi_cross(at.omega, arm, off);
+    aspi_subtract(at.v, off, at.v); /* that of the center of mass */
+  }
+  movers.place(mover, x);
+  hold_one(wall, at, movers, mover);
+}
+
+void asperity::stick(const Touch &touch, const Mover &mover, const Movers &movers, double left) {
+  Stuck &at = note(touch, mover);
+  if (mover.body)
+    memcpy(at.axes, mover.axes, sizeof at.axes);
+  carry(*touch.wall, movers, mover.i, left);
 }
 
 /* A stuck particle has been displaced if it is off its place by this share of its radius. */
@@ -123,32 +152,6 @@ int Stepper::free_displaced(const Spheres &s, double moved) {
   if (count > 0)
     grains.list(s, setup.groupbit);
   return count;
-}
-
-/* Gives a stuck particle the velocity of its wall. */
-static void set_velocity(const Stuck &at, const Spheres &s, int i) {
-  const size_t row = 3 * static_cast<size_t>(i);
-  aspi_copy(at.v, s.v + row);
-  if (s.omega)
-    aspi_copy(NONE, s.omega + row);
-}
-
-void asperity::stick(const Touch &touch, const Mover &mover, const Spheres &s, double left) {
-  const Stuck &at = note(touch, mover);
-  aspi_copy(touch.contact.x, s.x + 3 * static_cast<size_t>(mover.i));
-  carry(*touch.wall, s, mover.i, left);
-  set_velocity(at, s, mover.i);
-}
-
-/* The same, with the load that holds the particle. */
-static void hold_one(const Stepper &wall, const Stuck &at, const Spheres &s, int i) {
-  const size_t row = 3 * static_cast<size_t>(i);
-  double change[3], turn[3] = {0, 0, 0};
-  aspi_subtract(at.v, s.v + row, change);
-  if (s.omega)
-    aspi_add_scaled(turn, -1, s.omega + row, turn);
-  set_velocity(at, s, i);
-  add_load(wall, Mover(s, i), at, 0, s.x + row, change, turn);
 }
 
 static inline uint64_t bits(const double *x) {
@@ -180,117 +183,59 @@ void Stepper::drop_load(StuckOne &at, double share) {
 
 /* A particle that a wall at rest stops again and again, as against gravity, costs no more than its
  * place and velocity: the books keep the load. */
-void Stepper::carry_stuck(const Spheres &s) {
+void Stepper::carry_stuck(const Movers &movers) {
   is_in_step = is_still = true;
   for (const Member &member : setup.shapes)
     is_still = is_still && member.shape->is_still() && !member.shape->measures();
-  for (StuckOne &at : grains.stuck) {
-    if (is_still && at.was_stopped && comes_again(at, s)) {
+  for (StuckOne &at : movers.members(*this).stuck) {
+    if (is_still && at.was_stopped && comes_again(at, *movers.grains)) {
+      const size_t row = 3 * static_cast<size_t>(at.i);
       if (!at.is_kept) {
         books.keep_load(at.i, at.x, at.v, at.mass);
         at.is_kept = true;
         rows.stuck(at.i).is_kept = 1;
       }
-      aspi_copy(at.x, s.x + 3 * static_cast<size_t>(at.i));
-      aspi_copy(NONE, s.v + 3 * static_cast<size_t>(at.i));
+      aspi_copy(at.x, movers.grains->x + row);
+      aspi_copy(NONE, movers.grains->v + row);
     } else {
       drop_load(at, 0);
-      carry(*this, s, at.i, s.dt);
-      hold_one(*this, rows.stuck(at.i), s, at.i);
+      carry(*this, movers, at.i, movers.dt);
     }
   }
-  books.add_kept_loads();
+  if (movers.grains)
+    books.add_kept_loads();
 }
 
-void Stepper::hold_stuck(const Spheres &s) {
+void Stepper::hold_stuck(const Movers &movers) {
+  Members &of = movers.members(*this);
   is_in_step = false;
-  for (StuckOne &at : grains.stuck) {
-    double *v = s.v + 3 * static_cast<size_t>(at.i);
-    if (at.is_kept && comes_again(at, s)) {
-      aspi_copy(NONE, v);
+  for (StuckOne &at : of.stuck) {
+    const Spheres *s = movers.grains;
+    if (at.is_kept && comes_again(at, *s)) {
+      aspi_copy(NONE, s->v + 3 * static_cast<size_t>(at.i));
       continue;
     }
     drop_load(at, 0.5);
-    const Stuck &place = rows.stuck(at.i);
-    at.was_stopped = is_still && change(place.v, NONE) == 0;
-    aspi_copy(s.x + 3 * static_cast<size_t>(at.i), at.x);
-    aspi_copy(v, at.v);
-    at.mass = s.mass[at.i];
-    hold_one(*this, place, s, at.i);
+    const Stuck &place = of.rows.stuck(at.i);
+    if (s) {
+      at.was_stopped = is_still && change(place.v, NONE) == 0;
+      aspi_copy(s->x + 3 * static_cast<size_t>(at.i), at.x);
+      aspi_copy(s->v + 3 * static_cast<size_t>(at.i), at.v);
+      at.mass = s->mass[at.i];
+    }
+    hold_one(*this, place, movers, Mover(movers, at.i));
   }
-  books.add_kept_loads();
-}
-
-/* ---- bodies -----------------------------------------------------------------------------------
- */
-
-/* Gives a stuck body the velocity of its wall, with the load that holds it. */
-static void hold_one(const Stepper &wall, const Stuck &at, Bodies &bodies, int i) {
-  const Mover mover(bodies, static_cast<size_t>(i));
-  Body &body = bodies.all[static_cast<size_t>(i)];
-  double change[3], turn[3], spin[3];
-  aspi_subtract(at.v, body.v, change);
-  spin_of(body, spin);
-  aspi_subtract(at.omega, spin, turn);
-  if (!(aspi_dot(change, change) + aspi_dot(turn, turn) > 0))
-    return;
-  aspi_copy(at.v, body.v);
-  momentum_of(body, at.omega, body.angular_momentum);
-  body.is_changed = true;
-  add_load(wall, mover, at, static_cast<size_t>(&mover.anchor(at) - mover.sphere), body.x, change,
-           turn);
-}
-
-static void carry(Stepper &wall, Bodies &bodies, int i, double left) {
-  Stuck &at = wall.body_rows.stuck(i);
-  Body &body = bodies.all[static_cast<size_t>(i)];
-  Mover mover(bodies, static_cast<size_t>(i));
-  const BodySphere &one = mover.anchor(at);
-  double now[3], arm[3], x[3], off[3];
-  arm_of(body, one, now);
-  aspi_add_scaled(now, 1, body.x, now);
-  follow(wall, at, now, one.radius, left, bodies.dt, true, x);
-  body.is_changed = body.is_changed || memcmp(body.axes, at.axes, sizeof at.axes) != 0;
-  memcpy(body.axes, at.axes, sizeof at.axes);
-  arm_of(body, one, arm);
-  aspi_subtract(x, arm, x);
-  body.is_changed = body.is_changed || change(body.x, x) != 0;
-  aspi_copy(x, body.x);
-  aspi_cross(at.omega, arm, off);
-  aspi_subtract(at.v, off, at.v); /* that of the center of mass */
-  hold_one(wall, at, bodies, i);
-}
-
-void asperity::stick(const Touch &touch, const Mover &mover, Bodies &bodies, double left) {
-  Stuck &at = note(touch, mover);
-  memcpy(at.axes, mover.body->axes, sizeof at.axes);
-  carry(*touch.wall, bodies, mover.i, left);
-}
-
-void Stepper::carry_stuck(Bodies &bodies_now) {
-  for (const StuckOne &at : bodies.stuck)
-    carry(*this, bodies_now, at.i, bodies_now.dt);
-}
-
-void Stepper::hold_stuck(Bodies &bodies_now) {
-  for (const StuckOne &at : bodies.stuck)
-    hold_one(*this, body_rows.stuck(at.i), bodies_now, at.i);
+  if (movers.grains)
+    books.add_kept_loads();
 }
 
 /* ---- removal ----------------------------------------------------------------------------------
  */
 
-static int number(const Spheres &, int i) {
-  return i;
-}
-static size_t number(const Bodies &, int i) {
-  return static_cast<size_t>(i);
-}
-
 /* Draws the adhesion of a deposit, and when it ends, by the next key of its draws. */
 static asp_removal draw_removal(const Setup &setup, const Mover &mover, const Stuck &place,
                                 double draws) {
-  const BodySphere &one = mover.anchor(place);
+  const BodySphere &one = mover.sphere[mover.anchor(place)];
   const size_t shape = static_cast<size_t>(place.shape) - 1;
   const asp_key key = {setup.model.seed(), setup.stay_key, static_cast<uint64_t>(one.tag),
                        static_cast<uint32_t>(draws + 1)};
@@ -307,17 +252,17 @@ static int face_now(const Member &member, const Stuck &at) {
 
 /* A deposit that the flow takes away rests at the wall, and does not stick again before it has left
  * it. */
-template <class Kind> void Stepper::let_go(Kind &kind) {
-  if (!setup.model.has_flow())
+void Stepper::let_go(const Movers &movers) {
+  Members &of = movers.members(*this);
+  if (of.stuck.empty() || !setup.model.has_flow())
     return;
-  Members &of = members(kind);
   size_t kept = 0;
   for (StuckOne &at : of.stuck) {
     Memory &memory = of.rows.own(at.i);
     Stuck &place = of.rows.stuck(at.i);
     if (!(at.flow.most > 0))
-      at.flow = draw_removal(setup, Mover(kind, number(kind, at.i)), place, memory.draws);
-    place.removal += at.flow.rate * kind.dt;
+      at.flow = draw_removal(setup, Mover(movers, at.i), place, memory.draws);
+    place.removal += at.flow.rate * movers.dt;
     if (place.removal <= at.flow.most) {
       of.stuck[kept++] = at;
       continue;
@@ -328,13 +273,12 @@ template <class Kind> void Stepper::let_go(Kind &kind) {
     of.rows.set_status(at.i, Status::FREE);
     of.touching.push_back(at.i);
     if (was.shape >= 1) {
-      const Mover mover(kind, number(kind, at.i));
+      const Mover mover(movers, at.i);
       const size_t shape = static_cast<size_t>(was.shape) - 1;
-      mover.at(*this).rest_at(mover.anchor(was).tag, shape, face_now(setup.shapes[shape], was));
+      mover.at(*this).rest_at(mover.sphere[mover.anchor(was)].tag, shape,
+                              face_now(setup.shapes[shape], was));
     }
     of.ahead.expire(at.i);
   }
   of.stuck.resize(kept);
 }
-template void Stepper::let_go<const Spheres>(const Spheres &);
-template void Stepper::let_go<Bodies>(Bodies &);
