@@ -149,16 +149,19 @@ void RegionPart::restore(const double *record) {
   motion_.set_last(last);
 }
 
-double RegionPart::travel(const double lo[3], const double hi[3]) const {
-  double most = 0, own[2][3];
+double RegionPart::travel(const double box[2][3]) const {
+  double own[2][3], size[3], own_size[3], most = 0;
   if (is_round_)
     return dt_ * aspi_length(rate_.shift);
-  const bool is_own = extent(region_, own);
+  aspi_subtract(box[1], box[0], size);
+  const bool ends = extent(region_, own);
+  aspi_subtract(own[1], own[0], own_size);
+  const bool is_smaller = ends && aspi_length(own_size) < aspi_length(size);
   for (int corner = 0; corner < 8; corner++) {
     double x[3], v[3];
     for (int d = 0; d < 3; d++)
-      x[d] = is_own ? own[corner >> d & 1][d] : corner >> d & 1 ? hi[d] : lo[d];
-    if (is_own)
+      x[d] = (is_smaller ? own : box)[corner >> d & 1][d];
+    if (is_smaller)
       motion_.end().to_world(x, x);
     for (double share : {0.0, 1.0}) {
       motion_.velocity(share, x, v);

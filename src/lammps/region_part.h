@@ -44,9 +44,8 @@ public:
   void settle();
   void advance(double dt);
 
-  /* The distance that a face moves in this step, at most; a part without ends is in the box. And
-   * the angular speed. */
-  double travel(const double lo[3], const double hi[3]) const;
+  /* The distance that a face within a box moves in this step, at most; and the angular speed. */
+  double travel(const double box[2][3]) const;
   double turn_speed() const;
 
   /* The speed of a path relative to the part, at most; `most`: of any two points. */

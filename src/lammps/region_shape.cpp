@@ -168,10 +168,12 @@ void RegionShape::begin_step() {
 /* A region's box may be endless; the box of the simulation is not. */
 double RegionShape::travel(double) const {
   const Domain *domain = lammps_->domain;
-  double most = 0;
+  double box[2][3], most = 0;
+  aspi_copy(domain->boxlo, box[0]);
+  aspi_copy(domain->boxhi, box[1]);
   for (const RegionPart &part : parts_)
     if (part.moves())
-      most = std::max(most, part.travel(domain->boxlo, domain->boxhi));
+      most = std::max(most, part.travel(box));
   return most;
 }
 
