@@ -53,7 +53,7 @@ for ending in png svg pdf; do
 done
 head -c 4 cor.png | grep -q PNG && head -c 4 cor.pdf | grep -q PDF || die "cor --plot"
 "$asperity" cor surface rq 5um lambda_c 40um --samples 20 | rows /dev/stdin | cmp - <(rows drawn.csv) || die "cor --plot: another table"
-"$asperity" cor surface rq 5um lambda_c 40um --samples 100 --plot cor.svg -o c 2> err
+"$asperity" cor surface rq 5um lambda_c 40um --samples 500 --plot cor.svg -o c 2> err
 grep -q 'outside: .* of ' cor.svg && grep -q 'one of 3' cor.svg || die "cor --plot: what it leaves out"
 [ "$(grep -c '>mean ± sd' cor.svg)" = 1 ] || die "cor --plot: more than one legend"
 grep -q 'CoR_N' cor.svg && grep -q 'lambda_c' cor.svg && ! grep -q warning err || die "cor --plot: names with _"
