@@ -35,7 +35,7 @@ grep -q 'scaled by its root' fit || die "means without errors: $(cat fit)"
 
 # The scatter of two impacts each at 20 angles tells the sd of normal tilts as well as normal numbers do: sd/sqrt(2 (n - 1)) each.
 awk 'BEGIN { print "alpha1_deg,cor_n_mean,cor_n_sd,n"; for (a = 30; a < 50; a++) { t = a * atan2(0, -1) / 180; printf "%d,1,%.6f,2\n", a, 2 * atan2(0, -1) / 180 * cos(t) / sin(t) } }' > twos
-"$asperity" calibrate twos rebound constant 1 1 surface sigma fit spread normal plane collisions single --samples 4000 > fit 2> err
+"$asperity" calibrate twos rebound constant 1 1 surface sigma fit spread normal plane collisions single --samples 1000 > fit 2> err
 awk -F, '$1 == "sigma" { found = $2 > 0.97 && $2 < 1.03 && $3 > 0.95 / sqrt(40) && $3 < 1.05 / sqrt(40) } END { exit !found }' fit || die "the scatter of two: $(cat fit)"
 
 # Oblique impacts of 5 mm alumina on a smooth glass wall (Kharaz et al. 2001) up to 60 degrees: mu is Coulomb's, 0.092.
@@ -66,7 +66,7 @@ done
 near friction 0.3 4 fit
 
 # Warnings about constants that the data do not determine: gamma and b act alike; and a wall that does not scatter like the data.
-"$asperity" calibrate data surface rq 4mm lambda_c 40mm surface_energy fit rebound bons contact_area fit 0.142857 0.5 $ard > fit 2> err
+"$asperity" calibrate data surface rq 4mm lambda_c 40mm surface_energy fit rebound bons contact_area fit 0.142857 0.5 $ard $quick > fit 2> err
 grep -q "cannot tell 'surface_energy' and 'a' apart" err || die "no warning: $(cat err fit)"
 "$asperity" calibrate data friction fit surface sigma 2 $ard $quick > fit 2> err
 grep -q "does not describe the data" err || die "no warning of a bad fit: $(cat err fit)"

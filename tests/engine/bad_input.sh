@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Bad scripts: one clear message that names the thing, its value and what it must be, on one rank or on two in turn,
-# and a non-zero exit; for a step that is too large a warning with the largest safe one. The words of a description are
+# Bad scripts: one clear message that names the thing, its value and what it must be, on one rank, each eighth on
+# two, and a non-zero exit; for a step that is too large a warning with the largest safe one. The words of a description are
 # tested in unit/test_description.c.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
@@ -36,7 +36,7 @@ bad() {
   (mkdir bad.$number; cd bad.$number; ln -s ../plate.stl ../materials.in .
    export OMPI_MCA_orte_tmpdir_base=$PWD # see engine.sh
    deck "$command" "$lines" | sed -e "$edit" > bad.in
-   refuses $((number % 2 + 1)) bad.in "$@") > bad.$number.log 2>&1 || { echo "$command $lines"; cat bad.$number.log; touch failed; } &
+   refuses $((number % 8 ? 1 : 2)) bad.in "$@") > bad.$number.log 2>&1 || { echo "$command $lines"; cat bad.$number.log; touch failed; } &
 }
 number=0
 

@@ -54,11 +54,9 @@ for case in two flat; do
   scene $case half.restart 'run 250' > rest.in
   both $case 1
   mv lammps whole; rm -r liggghts
-  for ranks in 1 2; do
-    both half $((3 - ranks)) part
-    both rest $ranks
-    for file in $(cd whole; ls ./*.csv) end; do same whole/$file lammps/$file "$case in one run, and a restart on $ranks ranks"; done
-    rm -r liggghts lammps
-  done
-  rm -r whole
+  [ $case = two ] && ranks=1 || ranks=2
+  both half $((3 - ranks)) part
+  both rest $ranks
+  for file in $(cd whole; ls ./*.csv) end; do same whole/$file lammps/$file "$case in one run, and a restart on $ranks ranks"; done
+  rm -r whole liggghts lammps
 done

@@ -7,7 +7,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bad=0
 say() { echo "FAILED: $*"; bad=1; }
 tests=$(ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p')
-words=$(sed -nE "s/.*ctest --test-dir build[-a-z0-9]* .*-[ER] '([^']*)'.*/\1/p" .ci/* .github/workflows/*.yml | tr '|' '\n')
+words=$(sed -nE "s/.*ctest --test-dir build[-a-z0-9]* .*-[ER] '([^']*)'.*/\1/p; s/^  '([^']*)' .*/\1/p; s/^  '([^']*)'$/\1/p" .ci/* .github/workflows/*.yml |
+  tr '|' '\n')
 [ "$(wc -w <<< "$words")" -ge 6 ] || say "only the filters $words were found"
 while read -r word; do
   grep -qE -- "$word" <<< "$tests" || say "a filter of the workflow has '$word', which is in the name of no test"

@@ -1,6 +1,8 @@
 /* Walls in a simulation against figures that no wall made: speeds of spheres that roll down rough
- * slopes, by the geometry of rolling.csv; deposits that a flow removes; bodies in a box, whose
- * energy is shared as a gas has it, however far they fly in a step. truth ROLLING.CSV
+ * slopes, by the geometry of rolling.csv; the share that sticks to a measured profile, by spheres
+ * that were followed over generated surfaces (README.md); deposits that a flow removes; bodies in a
+ * box, whose energy is shared as a gas has it, however far they fly in a step. truth ROLLING.CSV
+ * Equilibrium is in equilibrium.c, the weights of each model in unit/test_sensitivity.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
@@ -28,6 +30,17 @@ void expect(const std::string &what, double is, double should, double error) {
 std::unique_ptr<Shape> plane(int axis, double at) {
   const double still[3] = {0, 0, 0};
   return std::unique_ptr<Shape>(new PlaneShape(axis, at, still));
+}
+
+/* Of the standard normal law, nearly. */
+double normal() {
+  static uint64_t state = 88172645463325252ULL;
+  double sum = -6;
+  for (int k = 0; k < 12; k++) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    sum += static_cast<double>(state >> 11) / 9007199254740992.0;
+  }
+  return sum;
 }
 
 /* ---- rolling ---- */
@@ -82,6 +95,59 @@ void roll(const char *path, const Row &row) {
   expect(std::string("rolling, ") + row.begin, mean / moving, d[6], 4 * d[7] + row.within * d[6]);
 }
 
+/* ---- capture ---- */
+
+/* A row of "Capture" in README.md: um, m/s and degrees; the share by the geometry, its standard
+ * error, and how far the model may be from it, of the share. */
+struct Capture {
+  double r_q, lambda_c, d_p, speed, angle, share, error, within;
+};
+const Capture CAPTURES[] = {{10, 40, 10, 100, 20, 0.0153, 0.0008, 0.25},
+                            {5, 40, 10, 30, 3, 0.3594, 0.004, 0.1},
+                            {5, 40, 10, 150, 85, 0.0171, 0.0002, 0.25}};
+
+/* A profile of 400 lambda_c is measured: a sum of waves of a Gaussian spectrum. */
+void capture(const Capture &row) {
+  const int waves = 500, impacts = 20000;
+  std::vector<double> z(8000, 0.0);
+  const double most = 4.5, step = 1e-6 * row.lambda_c / 20; /* most: of the spectrum's widths */
+  for (int k = 0; k < waves; k++) {
+    const double t = most * (k + 0.5) / waves, phase = 100 * normal();
+    const double height =
+        1e-6 * row.r_q * sqrt(2 * most / waves * sqrt(2 / ASP_PI) * exp(-0.5 * t * t));
+    for (size_t i = 0; i < z.size(); i++)
+      z[i] += height * cos(sqrt(2) * t / 20 * static_cast<double>(i) + phase);
+  }
+  asp_heights *heights = asp_heights_create(z.data(), z.size(), 1, step, step, false, NULL);
+  asp_description *words =
+      asp_description_parse("surface profile measured spread traced isotropic rebound bons "
+                            "materials quartz ti-6al-4v",
+                            NULL, NULL);
+  const double d = 1e-6 * row.d_p, angle = row.angle * ASP_PI / 180;
+  asp_wall *wall = NULL;
+  if (heights && words && asp_description_set_heights(words, heights, NULL) == ASP_OK)
+    wall = asp_wall_create(words, d, d, NULL);
+  if (!wall)
+    abort();
+  asp_particle grain = asp_particle();
+  grain.d_p = d;
+  grain.density = 2650;
+  const double v[3] = {row.speed * cos(angle), 0, -row.speed * sin(angle)}, up[3] = {0, 0, 1};
+  double stuck = 0;
+  for (uint64_t i = 0; i < impacts; i++) {
+    const asp_key key = {1, 1, i, 1};
+    asp_impact impact;
+    asp_wall_impact(wall, &grain, v, up, &key, &impact);
+    stuck += impact.outcome == ASP_DEPOSIT;
+  }
+  expect("share that sticks at " + std::to_string(static_cast<int>(row.speed)) + " m/s",
+         stuck / impacts, row.share,
+         4 * hypot(row.error, sqrt(row.share / impacts)) + row.within * row.share);
+  asp_wall_free(wall);
+  asp_description_free(words);
+  asp_heights_free(heights);
+}
+
 /* ---- removal ---- */
 
 /* Deposits that adhesion hardly holds leave as often as a burst comes, 0.00658 u_tau^2/nu (Reeks &
@@ -115,15 +181,7 @@ void remove() {
 
 /* ---- bodies ---- */
 
-double normal() {
-  static uint64_t state = 88172645463325252ULL;
-  double sum = -6;
-  for (int k = 0; k < 12; k++) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    sum += static_cast<double>(state >> 11) / 9007199254740992.0;
-  }
-  return sum;
-}
+/* ---- bodies ---- */
 
 double energy_of(const Body &body) {
   double twice = body.mass * aspi_dot(body.v, body.v);
@@ -205,6 +263,8 @@ int main(int argc, char **argv) {
   MPI_Init(&argc, &argv);
   for (const Row &row : ROWS)
     roll(argv[1], row);
+  for (const Capture &row : CAPTURES)
+    capture(row);
   remove();
   box(10, 200, 20);
   box(100, 60, 4);

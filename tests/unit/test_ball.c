@@ -131,18 +131,18 @@ static void slopes_follow_the_formula(void **state) {
     double phi = 0.05;
     asp_heights *map = gauss(ratio[k], 0, 1 / 16., ratio[k] / 16., 512, 512, phi);
     aspi_ball *none = aspi_ball_create(map, 0, NULL);
-    size_t n = 512 * 512;
-    float *z = malloc(512 * 512 * sizeof(float)), *p[2], *q[2];
+    size_t n = 256 * 512;
+    float *z = malloc(256 * 512 * sizeof(float)), *p[2], *q[2];
     for (int i = 0; i < 2; i++) {
-      p[i] = malloc(512 * 512 * sizeof(float));
-      q[i] = malloc(512 * 512 * sizeof(float));
+      p[i] = malloc(256 * 512 * sizeof(float));
+      q[i] = malloc(256 * 512 * sizeof(float));
     }
-    aspi_ball_rows(none, 0, 512, z, p[0], q[0]);
+    aspi_ball_rows(none, 0, 256, z, p[0], q[0]);
     for (size_t i = 0; i < 3; i++) {
       aspi_ball *ball = aspi_ball_create(map, kappa[i] / (sqrt(3) * phi), NULL);
       if (!ball)
         continue; /* larger than the map */
-      aspi_ball_rows(ball, 0, 512, z, p[1], q[1]);
+      aspi_ball_rows(ball, 0, 256, z, p[1], q[1]);
       double sum[4] = {0};
       for (size_t m = 0; m < n; m++)
         for (int of = 0; of < 2; of++) {
@@ -168,12 +168,12 @@ static void slopes_follow_the_formula(void **state) {
 
 /* The rms slope that a sphere meets on a map of 512 x 512 points, in any direction. */
 static double slope_under(const asp_heights *map, double d_p) {
-  size_t n = 512 * 512;
-  float *z = malloc(512 * 512 * sizeof(float)), *p = malloc(512 * 512 * sizeof(float)),
-        *q = malloc(512 * 512 * sizeof(float));
+  size_t n = 256 * 512;
+  float *z = malloc(256 * 512 * sizeof(float)), *p = malloc(128 * 512 * sizeof(float)),
+        *q = malloc(256 * 512 * sizeof(float));
   aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
   double sum = 0;
-  aspi_ball_rows(ball, 0, 512, z, p, q);
+  aspi_ball_rows(ball, 0, 256, z, p, q);
   for (size_t i = 0; i < n; i++)
     sum += p[i] * p[i] + q[i] * q[i];
   aspi_ball_free(ball);

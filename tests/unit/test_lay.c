@@ -73,7 +73,7 @@ static void a_lay_has_no_sense(void **state) {
 /* The other side of the lay steers to the other side. */
 static void mirrored_lays_mirror_the_law(void **state) {
   (void)state;
-  enum { N = 100000 };
+  enum { N = 25000 };
   setup s = setup_create(40, 200, "isotropic");
   aspi_angles left = many(&s, 10, 0.1, 0.6, N), right = many(&s, 10, 0.1, -0.6, N);
   double error = 5 * sqrt(2 * left.lateral_square / N / N);
@@ -87,7 +87,7 @@ static void mirrored_lays_mirror_the_law(void **state) {
  * tilt out of the plane only, with the slope across. */
 static void grooves(void **state) {
   (void)state;
-  enum { N = 100000 };
+  enum { N = 25000 };
   setup s = setup_create(40, 4e8, "isotropic"), plane = setup_create(40, 40, "plane");
   double square = 0, lower = 0;
   for (uint64_t tag = 0; tag < N; tag++) {
@@ -109,7 +109,7 @@ static void grooves(void **state) {
 /* At normal incidence both slopes are what the surface has, whatever the direction of the lay. */
 static void normal_incidence_shows_all_slopes(void **state) {
   (void)state;
-  enum { N = 200000 };
+  enum { N = 50000 };
   setup s = setup_create(40, 120, "isotropic");
   double psi = 0.5, xx = 0, xy = 0, yy = 0, d_p = 100, slope[2];
   for (uint64_t tag = 0; tag < N; tag++) {
@@ -131,7 +131,7 @@ static void normal_incidence_shows_all_slopes(void **state) {
 /* A sphere that grazes rests on summits: formula (4) for the slope across the flight. */
 static void grazing_spheres_meet_less_slope(void **state) {
   (void)state;
-  enum { N = 100000 };
+  enum { N = 25000 };
   setup s = setup_create(40, 40, "isotropic");
   double d_p = 185, alpha1 = 0.02, slope[2], square = 0;
   aspi_surface_sphere_slopes(s.surface, d_p, slope);
@@ -147,7 +147,7 @@ static void grazing_spheres_meet_less_slope(void **state) {
 /* The mean lateral angle that an independent reference found at psi = 45 degrees. */
 static void lays_steer(void **state) {
   (void)state;
-  enum { N = 100000 };
+  enum { N = 40000 };
   static const double known[][2] = {{2, -3.17}, {5, -3.30}, {10, -3.29}, {30, -2.81}};
   setup s = setup_create(40, 200, "isotropic");
   for (int i = 0; i < 4; i++) {
@@ -161,7 +161,7 @@ static void lays_steer(void **state) {
 /* psi, d_p, alpha1 (degrees): the rebound angle and the lateral one, against surfaces. */
 static void walls_with_a_lay_are_surfaces(void **state) {
   (void)state;
-  static const double cases[][3] = {{0, 10, 2}, {45, 10, 5}};
+  static const double cases[][3] = {{45, 10, 5}};
   enum { N = 70000 };
   setup s = setup_create(40, 200, "isotropic");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -1,6 +1,5 @@
 /* The restart record: what comes back, and what does not, with every byte flipped and cut at every
- * length. Built with the sanitizers of addresses and undefined behavior; each record lies in
- * memory of just its length.
+ * length; each record lies in memory of just its length, for the sanitizers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/record.h"
