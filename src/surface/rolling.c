@@ -30,7 +30,7 @@
 
 /* A cubic is divided until the slope at its middle is this close to the mean of its ends. */
 #define EVEN 0.01
-enum { DIVISIONS_MOST = 6 };
+enum { PIECES_MOST = 64 };
 
 /* Arcs over more points than this are compared before the path is raised to them, so that the cost
  * does not grow with the disc's width; a range of few points is not divided further. */
@@ -65,19 +65,25 @@ typedef struct cubic {
   double x, z[2], slope[2];
 } cubic;
 
-static double height(const curve *c, size_t i) {
-  i = i < c->n ? i : i - c->n;
-  return c->z[i < c->points ? i : c->n - i];
+/* Five heights around point i. */
+static const double *around(const curve *c, size_t i, double room[5]) {
+  if (i >= 2 && i + 2 < c->points)
+    return c->z + i - 2;
+  for (size_t k = 0; k < 5; k++) {
+    size_t at = (i + c->n - 2 + k) % c->n;
+    room[k] = c->z[at < c->points ? at : c->n - at];
+  }
+  return room;
 }
 
-/* The slopes before and behind the middle of five points; they differ at a corner only. */
-static void find_slopes(const curve *c, const double z[5], double slope[2]) {
-  double near = z[3] - z[1], far = z[4] - z[0];
-  slope[0] = (z[2] - z[1]) / c->spacing;
-  slope[1] = (z[3] - z[2]) / c->spacing;
+/* The slopes before and behind a point; they differ at a corner only. */
+static void find_slopes(const double z[5], double unit, double slope[2]) {
+  slope[0] = (z[2] - z[1]) * unit;
+  slope[1] = (z[3] - z[2]) * unit;
   if (fabs(slope[1] - slope[0]) > SHARP)
     return;
-  double mean = 0.5 * (slope[0] + slope[1]), fine = (8 * near - far) / 12 * (1 / c->spacing);
+  double mean = 0.5 * (slope[0] + slope[1]),
+         fine = (8 * (z[3] - z[1]) - (z[4] - z[0])) * (1 / 12. * unit);
   slope[0] = slope[1] = fabs(fine - mean) > UNSMOOTH ? mean : fine;
 }
 
@@ -107,28 +113,24 @@ static arc arc_between(const place *from, const place *to) {
   return a;
 }
 
-static double sine_at(const arc *a, double x) {
-  return a->sine - (x - a->from) / a->radius;
+static double sine_at(const arc *a, double u) {
+  return a->sine - u / a->radius;
 }
 
-static double height_at(const arc *a, double x) {
-  double u = x - a->from, sine = a->round ? sine_at(a, x) : 0;
+static double height_at(const arc *a, double u) {
+  double sine = a->round ? sine_at(a, u) : 0;
   return a->z + u * (a->tilt - a->fall * u) +
          (a->round ? a->radius * sqrt(fmax(0, 1 - sine * sine)) : 0);
 }
 
-static double slope_at(const arc *a, double x) {
-  double sine = a->round ? sine_at(a, x) : 0;
-  return a->tilt - 2 * a->fall * (x - a->from) + sine / sqrt(fmax(0, 1 - sine * sine));
+static double slope_at(const arc *a, double u) {
+  double sine = a->round ? sine_at(a, u) : 0;
+  return a->tilt - 2 * a->fall * u + sine / sqrt(fmax(0, 1 - sine * sine));
 }
 
 static ptrdiff_t point_from(double x) {
   ptrdiff_t i = (ptrdiff_t)x;
   return i + ((double)i < x);
-}
-
-static ptrdiff_t point_until(double x) {
-  return -point_from(-x);
 }
 
 static ptrdiff_t wrapped(const curve *c, ptrdiff_t i) {
@@ -138,20 +140,20 @@ static ptrdiff_t wrapped(const curve *c, ptrdiff_t i) {
   return i < 0 ? i + c->length : i;
 }
 
-/* Raises the path between two points to an arc. */
-static void raise(const curve *c, const arc *a, ptrdiff_t first, ptrdiff_t last) {
+/* Raises the path to an arc, from a point on until a place. */
+static void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
   ptrdiff_t i = wrapped(c, first);
-  for (ptrdiff_t k = first; k <= last; k++) {
-    double z = height_at(a, (double)k);
+  for (double x = (double)first; x <= until; x++) {
+    double z = height_at(a, x - a->from);
     c->path[i] = z > c->path[i] ? z : c->path[i];
     i = i + 1 < c->length ? i + 1 : 0;
   }
 }
 
 /* Keeps a wide arc for later. */
-static void keep(curve *c, arc a, ptrdiff_t first, ptrdiff_t last) {
+static void keep(curve *c, arc a, ptrdiff_t first) {
   ptrdiff_t shift = first - wrapped(c, first);
-  for (; shift <= last && c->path; shift += c->length) {
+  for (; (double)shift <= a.to && c->path; shift += c->length) {
     if (c->count == c->room) {
       c->room = 2 * c->room + 1024;
       arc *more = realloc(c->wide, c->room * sizeof *more);
@@ -171,16 +173,15 @@ static void keep(curve *c, arc a, ptrdiff_t first, ptrdiff_t last) {
 
 /* Raises the path to the arc through two places. */
 static void join(curve *c, const place *from, const place *to) {
-  if (!(to->x > from->x))
-    return;
-  ptrdiff_t first = point_from(from->x), last = point_until(to->x);
-  if (first > last)
+  ptrdiff_t first = point_from(from->x);
+  double width = to->x - from->x;
+  if (!(width > 0) || (double)first > to->x)
     return;
   arc a = arc_between(from, to);
-  if (last - first > WIDE && from->slope > to->slope)
-    keep(c, a, first, last);
+  if (width > WIDE && from->slope > to->slope)
+    keep(c, a, first);
   else if (c->path)
-    raise(c, &a, first, last);
+    raise(c, &a, first, to->x);
 }
 
 /* True if between begin and end an arc, which bends down, is below the line from `low` on; it is
@@ -189,7 +190,7 @@ static bool is_hidden(const arc *a, double begin, double end, double low, double
   double from = fmax(begin, a->from), to = fmin(end, a->to), middle = 0.5 * (from + to);
   if (from > to)
     return true;
-  double z = height_at(a, middle) - low, tangent = slope_at(a, middle);
+  double z = height_at(a, middle - a->from) - low, tangent = slope_at(a, middle - a->from);
   return z + tangent * (from - middle) < slope * (from - begin) &&
          z + tangent * (to - middle) < slope * (to - begin);
 }
@@ -207,15 +208,15 @@ static void raise_to_highest(const curve *c, arc *arcs, size_t count, ptrdiff_t 
   double begin = (double)first, end = (double)last, most = -INFINITY, slope = 0;
   for (size_t i = 0; i < count; i++)
     if (arcs[i].from <= begin && end <= arcs[i].to) {
-      double z = height_at(&arcs[i], 0.5 * (begin + end));
+      double z = height_at(&arcs[i], 0.5 * (begin + end) - arcs[i].from);
       if (z > most) {
         swap(&arcs[0], &arcs[i]);
         most = z;
       }
     }
   if (most > -INFINITY) {
-    most = height_at(&arcs[0], begin);
-    slope = (height_at(&arcs[0], end) - most) / (end - begin);
+    most = height_at(&arcs[0], begin - arcs[0].from);
+    slope = (height_at(&arcs[0], end - arcs[0].from) - most) / (end - begin);
   }
   for (size_t i = most > -INFINITY; i < count;)
     if (is_hidden(&arcs[i], begin, end, most, slope))
@@ -229,47 +230,49 @@ static void raise_to_highest(const curve *c, arc *arcs, size_t count, ptrdiff_t 
     return;
   }
   for (const arc *a = arcs; a < arcs + count; a++) {
-    ptrdiff_t from = point_from(a->from), to = point_until(a->to);
-    raise(c, a, from > first ? from : first, to < last ? to : last);
+    ptrdiff_t from = point_from(a->from);
+    raise(c, a, from > first ? from : first, fmin(a->to, end));
   }
 }
 
-/* Rolls over the part t of a cubic, from one place to another. */
-static void roll(curve *c, const cubic *over, const double t[2], const place *from, const place *to,
-                 int divisions) {
-  double m = 0.5 * (t[0] + t[1]), w = 1 - m, up = over->z[1] - over->z[0];
+/* Rolls over a cubic in equal pieces, from one place to another. Where it is halved, the slope in
+ * the middle comes closer to the mean of the ends by a factor of 4. */
+static void roll(curve *c, const cubic *over, const place *from, const place *to) {
+  double up = over->z[1] - over->z[0], bow = over->slope[0] + over->slope[1] - 2 * up;
   const double *p = over->slope;
-  double slope = p[0] * w * (1 - 3 * m) + p[1] * m * (3 * m - 2) + 6 * m * w * up;
-  if (divisions == 0 || fabs(slope - 0.5 * (from->slope + to->slope)) <= EVEN) {
-    join(c, from, to);
-    return;
+  int pieces = 1;
+  for (double off = fabs(0.75 * bow); off > EVEN && pieces < PIECES_MOST; off /= 4)
+    pieces *= 2;
+  place last = *from;
+  for (int k = 1; k < pieces; k++) {
+    double m = (double)k / pieces, w = 1 - m;
+    double slope = p[0] * w * (1 - 3 * m) + p[1] * m * (3 * m - 2) + 6 * m * w * up;
+    double z = over->z[0] + m * m * (3 - 2 * m) * up + m * w * (w * p[0] - m * p[1]);
+    place next = center(c, over->x + m, z, slope);
+    join(c, &last, &next);
+    last = next;
   }
-  double z = over->z[0] + m * m * (3 - 2 * m) * up + m * w * (w * p[0] - m * p[1]);
-  place middle = center(c, over->x + m, z, slope);
-  roll(c, over, (const double[]){t[0], m}, from, &middle, divisions - 1);
-  roll(c, over, (const double[]){m, t[1]}, &middle, to, divisions - 1);
+  join(c, &last, to);
 }
 
 static void roll_over_all(curve *c) {
-  double unit = 1 / c->spacing, z[5], here[2], next[2];
-  for (size_t k = 0; k < 5; k++)
-    z[k] = height(c, c->n - 2 + k);
-  find_slopes(c, z, here);
-  place from = center(c, 0, z[2] * unit, here[1]);
+  double unit = 1 / c->spacing, room[5], slope[2];
+  const double *z = around(c, 0, room);
+  find_slopes(z, unit, slope);
+  place from = center(c, 0, z[2] * unit, slope[1]);
+  cubic over = {.z = {0, z[2] * unit}};
   for (size_t i = 0; i < c->n; i++) {
-    cubic over = {.x = (double)i, .z = {z[2] * unit, z[3] * unit}, .slope = {here[1]}};
-    memmove(z, z + 1, 4 * sizeof *z);
-    z[4] = height(c, i + 3);
-    find_slopes(c, z, next);
-    over.slope[1] = next[0];
-    place to = center(c, over.x + 1, over.z[1], next[0]);
-    roll(c, &over, (const double[]){0, 1}, &from, &to, DIVISIONS_MOST);
+    z = around(c, i + 1, room);
+    over = (cubic){(double)i, {over.z[1], z[2] * unit}, {slope[1], 0}};
+    find_slopes(z, unit, slope);
+    over.slope[1] = slope[0];
+    place to = center(c, over.x + 1, over.z[1], slope[0]);
+    roll(c, &over, &from, &to);
     from = to;
-    if (fabs(next[1] - next[0]) > SHARP) {
-      from = center(c, over.x + 1, over.z[1], next[1]);
+    if (fabs(slope[1] - slope[0]) > SHARP) {
+      from = center(c, over.x + 1, over.z[1], slope[1]);
       join(c, &to, &from);
     }
-    here[1] = next[1];
   }
   if (c->count && c->path)
     raise_to_highest(c, c->wide, c->count, 0, c->length - 1);
