@@ -1,7 +1,7 @@
 /* Heights of a wall at equal spacing, along a line or over an area. A Gaussian profile is made
  * (Garcia & Stoll 1984, secondary source) from white noise filtered with exp(-2 x^2/lambda_c^2),
- * whose own autocorrelation is exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT on a power
- * of two that holds the noise and its periodic continuation, so that any number of points costs the
+ * whose own autocorrelation is exp(-x^2/lambda_c^2). The filter is applied by GSL's FFT to blocks
+ * that fit into the cache and overlap by the filter's reach, so that any number of points costs the
  * same per point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -54,36 +54,54 @@ static void fill_noise(double *noise, size_t points, uint32_t seed) {
   aspi_stream stream =
       aspi_stream_begin(&(asp_key){.seed = seed, .wall = asp_key_wall("profile"), .impact = 0});
   for (size_t i = 0; i < points; i++)
-    noise[2 * i] = aspi_stream_normal(&stream);
+    noise[i] = aspi_stream_normal(&stream);
+}
+
+/* Filters periodic noise in blocks of n with `reach` on both sides, two at a time as the real and
+ * the imaginary part. */
+static void filter_noise(const double *noise, double *heights, size_t points, size_t reach,
+                         double *block, size_t n, double width) {
+  const size_t kept = n - 2 * reach;
+  for (size_t begin = 0; begin < points; begin += 2 * kept) {
+    for (size_t k = 0; k < 2; k++)
+      for (size_t j = 0, i = (begin + k * kept + points - reach) % points; j < n; j++) {
+        block[2 * j + k] = noise[i];
+        i = i + 1 < points ? i + 1 : 0;
+      }
+    aspi_smooth(block, n, 1, width);
+    for (size_t k = 0; k < 2; k++)
+      for (size_t j = 0, i = begin + k * kept; j < kept && i < points; j++, i++)
+        heights[i] = block[2 * (reach + j) + k];
+  }
 }
 
 asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
                                    uint32_t seed, asp_error *error) {
-  double step = spacing / lambda_c, most = ASP_POINTS_MOST / 2. - 2 * (KERNEL_REACH / step + 1);
-  if (step > SPACING_MOST || !((double)points * step >= LENGTH_LEAST) || (double)points > most) {
+  double step = spacing / lambda_c;
+  if (step > SPACING_MOST || !((double)points * step >= LENGTH_LEAST) ||
+      points > ASP_POINTS_MOST / 2) {
     aspi_fail(
         error, ASP_EARG,
         "a profile of %zu points, lambda_c/%.3g apart; they must be lambda_c/4 apart or less, "
-        "and over %g lambda_c, but no more than %.0f",
-        points, 1 / step, LENGTH_LEAST, most);
+        "and over %g lambda_c, but no more than %zu",
+        points, 1 / step, LENGTH_LEAST, ASP_POINTS_MOST / 2);
     return NULL;
   }
-  size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(points + 2 * reach);
-  double *data = calloc(2 * n, sizeof *data), *heights = aspi_allocate(points);
-  if (data && heights) {
-    const size_t back = 2 * reach, all = 2 * points;
-    fill_noise(data + back, points, seed);
-    memcpy(data, data + all, back * sizeof *data);
-    memcpy(data + back + all, data + back, back * sizeof *data);
-    aspi_smooth(data, n, spacing, sqrt(ASP_PI / 2) * lambda_c);
-    for (size_t i = 0; i < points;
-         i++) /* the filter takes step/(sqrt(pi) lambda_c) of a variance */
-      heights[i] = data[back + 2 * i] * r_q / sqrt(step / sqrt(ASP_PI));
+  size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(8 * reach);
+  double *noise = aspi_allocate(points), *block = aspi_allocate(2 * n),
+         *heights = aspi_allocate(points);
+  if (noise && block && heights) {
+    fill_noise(noise, points, seed);
+    filter_noise(noise, heights, points, reach, block, n, sqrt(ASP_PI / 2) / step);
+    const double scale = r_q / sqrt(step / sqrt(ASP_PI)); /* the filter leaves step/sqrt(pi) of 1 */
+    for (size_t i = 0; i < points; i++)
+      heights[i] *= scale;
   } else {
     free(heights);
     heights = NULL;
   }
-  free(data);
+  free(noise);
+  free(block);
   return aspi_profile_adopt(heights, points, spacing, true, error);
 }
 

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
+#include "base/stream.h"
 #include "base/units.h"
 #include "surface/describe.h"
 #include "surface/heights.h"
@@ -33,6 +34,29 @@ static void generated_profile_has_its_numbers(void **state) {
   assert_near(r_q, 3, 0.03);
   assert_near(lambda_c, 20, 0.3);
   assert_near(slope, sqrt(2) * 3 / 20, 0.0015);
+}
+
+/* The weighted mean of the noise around each point, also where blocks of the filter meet, and the
+ * end and the beginning. */
+static void noise_is_filtered_everywhere(void **state) {
+  (void)state;
+  enum { N = 5000, REACH = 80 };
+  double noise[N], weight[2 * REACH + 1], squares = 0;
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 5, .wall = asp_key_wall("profile")});
+  for (int i = 0; i < N; i++)
+    noise[i] = aspi_stream_normal(&stream);
+  for (int k = 0; k <= 2 * REACH; k++) {
+    weight[k] = exp(-2 * pow((k - REACH) / 20., 2));
+    squares += weight[k] * weight[k];
+  }
+  asp_heights *p = aspi_profile_generate(3, 20, 1, N, 5, NULL);
+  for (int i = 0; i < N; i++) {
+    double sum = 0;
+    for (int k = 0; k <= 2 * REACH; k++)
+      sum += weight[k] * noise[(i + k - REACH + N) % N];
+    assert_near(p->z[i], 3 * sum / sqrt(squares), 1e-12);
+  }
+  asp_heights_free(p);
 }
 
 static void the_seed_decides(void **state) {
@@ -696,6 +720,7 @@ static void defaults_of_engines(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(generated_profile_has_its_numbers),
+      cmocka_unit_test(noise_is_filtered_everywhere),
       cmocka_unit_test(the_seed_decides),
       cmocka_unit_test(generated_profile_is_periodic),
       cmocka_unit_test(description_of_a_wave),
