@@ -1,6 +1,7 @@
 /* Walls in a simulation against figures that no wall made: speeds of spheres that roll down rough
  * slopes, by the geometry of rolling.csv; deposits that a flow removes; bodies in a box, whose
- * energy is shared as a gas has it, however far they fly in a step. truth ROLLING.CSV
+ * energy is shared as a gas has it, however far they fly in a step; and impacts on measured
+ * profiles. truth ROLLING.CSV
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
@@ -199,6 +200,90 @@ void box(double diameters, int n, int steps) {
   expect(what + "share of spin", spin / count, 0.4, 4 * sqrt(1.5 / (6.25 * 3.5)) / sqrt(n));
 }
 
+/* ---- profiles ---- */
+
+/* A wall by a profile in space against exact spheres that a program of its own followed over
+ * surfaces: Gaussian ones with this R_q and lambda_c, or functions of these, one with high peaks
+ * and one with deep valleys. In um, m/s and degrees; what is not compared is negative. */
+struct Shots {
+  enum { GAUSS, SKEWED, PLATEAU } shape;
+  double r_q, lambda_c, d_p, speed, angle, stuck, later, tilt, within;
+};
+const Shots SHOTS[] = {
+    {Shots::GAUSS, 7.1, 42, 20, 150, 25, 0.00557, -1, -1, 0.25},
+    {Shots::GAUSS, 5, 40, 10, 150, 50, 0.0134, -1, -1, 0.2},
+    {Shots::SKEWED, 5, 40, 10, 100, 20, 0.0110, -1, -1, 0.25},
+    {Shots::PLATEAU, 5, 40, 10, 150, 50, 0.0147, -1, -1, 0.25},
+    {Shots::PLATEAU, 1, 4.16, 10, 60, 20, 0.0198, -1, -1, 0.25},
+    {Shots::SKEWED, 0.6, 2.28, 20, 40, 25, 0.0187, -1, -1, 0.25},
+    {Shots::GAUSS, 20, 40, 2, 1, 30, -1, 0.206, -1, 0.07},
+    {Shots::GAUSS, 5, 40, 739, 1, 5, -1, -1, 3.67, 0.05},
+    {Shots::GAUSS, 5, 40, 1848, 1, 5, -1, -1, 1.66, 0.07},
+};
+
+/* A profile, of white noise filtered by exp(-2 x^2/lambda_c^2). */
+asp_heights *profile_of(const Shots &at) {
+  const int lengths = 1000, per = 24, reach = 2 * per, n = lengths * per;
+  const double r_q = 1e-6 * at.r_q, step = 1e-6 * at.lambda_c / per;
+  std::vector<double> noise(n + 2 * reach), z(n);
+  for (double &x : noise)
+    x = normal();
+  double square = 0;
+  for (int i = 0; i < n; i++) {
+    for (int k = -reach; k <= reach; k++)
+      z[i] += noise[i + reach + k] * exp(-2. * k * k / (per * per));
+    square += i > 0 ? pow((z[i] - z[i - 1]) / step, 2) / (n - 1) : 0;
+  }
+  const double scale = sqrt(2) * at.r_q / at.lambda_c / sqrt(square) / r_q;
+  for (double &x : z)
+    x = at.shape == Shots::SKEWED    ? 1.6 * r_q * exp(0.5 * scale * x)
+        : at.shape == Shots::PLATEAU ? -1.3 * r_q * log1p(exp(0.6 - 1.4 * scale * x))
+                                     : r_q * scale * x;
+  return asp_heights_create(z.data(), n, 1, step, step, false, nullptr);
+}
+
+void shoot(const Shots &at) {
+  const int n = 20000;
+  const double d_p = 1e-6 * at.d_p, angle = at.angle * ASP_PI / 180;
+  asp_error error = asp_error();
+  asp_heights *heights = profile_of(at);
+  asp_description *words = asp_description_parse(
+      at.stuck > 0 ? "surface profile generated rebound bons materials quartz ti-6al-4v"
+                   : "surface profile generated rebound constant 1 1 deposit off",
+      nullptr, &error);
+  if (!words || asp_description_set_heights(words, heights, &error))
+    abort();
+  asp_wall *wall = asp_wall_create(words, d_p, d_p, &error);
+  if (!wall)
+    abort();
+  asp_particle particle = asp_particle();
+  particle.d_p = d_p;
+  particle.density = 2650;
+  const double v[3] = {at.speed * cos(angle), 0, -at.speed * sin(angle)}, up[3] = {0, 0, 1};
+  double stuck = 0, later = 0, tilt = 0;
+  for (int i = 0; i < n; i++) {
+    asp_impact impact;
+    asp_key key = asp_key();
+    key.tag = static_cast<uint64_t>(i);
+    asp_wall_impact(wall, &particle, v, up, &key, &impact);
+    stuck += (impact.outcome == ASP_DEPOSIT) / double(n);
+    later += (impact.hits > 1) / double(n);
+    tilt += impact.delta_alpha * 180 / ASP_PI / n;
+  }
+  char what[100];
+  snprintf(what, sizeof what, "profile %d, R_q %g, d %g, %g m/s at %g degrees: ", at.shape, at.r_q,
+           at.d_p, at.speed, at.angle);
+  if (at.stuck > 0)
+    expect(std::string(what) + "share that sticks", stuck, at.stuck, at.within * at.stuck);
+  if (at.later > 0)
+    expect(std::string(what) + "later hits", later, at.later, at.within * at.later);
+  if (at.tilt > 0)
+    expect(std::string(what) + "first tilt", tilt, at.tilt, at.within * at.tilt);
+  asp_wall_free(wall);
+  asp_description_free(words);
+  asp_heights_free(heights);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -208,6 +293,8 @@ int main(int argc, char **argv) {
   remove();
   box(10, 200, 20);
   box(100, 60, 4);
+  for (const Shots &at : SHOTS)
+    shoot(at);
   MPI_Finalize();
   return failures > 0;
 }
