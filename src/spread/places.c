@@ -1,9 +1,12 @@
 /* Where a flight over a row continues after a hit on an isotropic wall. The rebound turns the
  * flight, and the wall along the new direction is another cut than the row. Given the height and
  * the slope at a place, all cuts of an isotropic wall have one law, so any place of the row with
- * that height and slope, in either direction, stands for the new cut. The joint law of both cuts is
- * symmetric; so elastic rebounds can be reversed, and keep the cosine law. (Derived for this
- * project.)
+ * that height and slope, in either direction, stands for the new cut. Its curvature is not free of
+ * that of the old cut: given the height, the curvatures of two cuts of Gaussian heights at an angle
+ * f have the correlation cos^2 f. So in that share of the moves the place has the old curvature,
+ * too; without this, particles that skip along a valley forget it, and up to a third too many
+ * stick. The joint law of both cuts is symmetric; so elastic rebounds can be reversed, and keep the
+ * cosine law. (Derived for this project.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/places.h"
@@ -15,8 +18,11 @@
 /* Most places of an index: more do not change the share that sticks. */
 enum { PLACES_MOST = 8192 };
 
-/* A standard deviation of the slope counts as this many of the height. */
+/* A standard deviation of the slope counts as this many of the height, or of the curvature. */
 #define SLOPE_COUNTS 2
+
+/* Curvatures are of places this share of the length of the row's waves apart. */
+#define BEND_SHARE 0.125
 
 static int by_height(const void *a, const void *b) {
   const aspi_row_place *x = a, *y = b;
@@ -42,6 +48,27 @@ static void sort(aspi_row_places *p) {
   }
 }
 
+/* The second difference of the heights around the face behind point i. */
+static double bend_at(const aspi_row_places *p, const aspi_field *row, ptrdiff_t i) {
+  ptrdiff_t n = row->columns, before = i - p->reach, after = i + 1 + p->reach;
+  before = before < 0 ? before + n : before;
+  after = after < n ? after : after - n;
+  double middle = (double)row->z[i] + (double)row->z[i + 1 < n ? i + 1 : 0];
+  return (double)row->z[before] + (double)row->z[after] - middle;
+}
+
+/* The curvatures, and their unit; `ratio` is rms height over rms slope. */
+static void set_bends(aspi_row_places *p, const aspi_field *row, double r_q, double ratio) {
+  double share = BEND_SHARE * sqrt(2) * ratio / row->step[0], square = 0;
+  p->reach = (ptrdiff_t)fmin(fmax(share, 1), 0.25 * (double)row->columns);
+  for (size_t i = 0; i < p->count; i++) {
+    double bend = bend_at(p, row, p->place[i].cell);
+    p->place[i].bend = (float)bend;
+    square += bend * bend / (double)p->count;
+  }
+  p->bend_unit = square > 0 ? r_q / sqrt(square) : 0;
+}
+
 asp_code aspi_row_places_create(aspi_row_places *p, const aspi_field *row, asp_error *error) {
   size_t n = (size_t)row->columns, every = (n + PLACES_MOST - 1) / PLACES_MOST;
   *p = (aspi_row_places){.count = n / every};
@@ -55,12 +82,14 @@ asp_code aspi_row_places_create(aspi_row_places *p, const aspi_field *row, asp_e
   for (size_t i = 0; i < p->count; i++) {
     double slope = aspi_field_slope(row, i * every);
     double z = (double)row->z[i * every] + 0.5 * slope * row->step[0];
-    p->place[i] = (aspi_row_place){(float)z, (float)fabs(slope), (int)(i * every)};
+    p->place[i] = (aspi_row_place){(float)z, (float)fabs(slope), 0, (int)(i * every)};
     mean += z / (double)p->count;
     square += z * z / (double)p->count;
     steep += slope * slope / (double)p->count;
   }
-  p->unit = steep > 0 ? SLOPE_COUNTS * sqrt(fmax(0, square - mean * mean) / steep) : 0;
+  double r_q = sqrt(fmax(0, square - mean * mean)), ratio = steep > 0 ? r_q / sqrt(steep) : 0;
+  p->unit = SLOPE_COUNTS * ratio;
+  set_bends(p, row, r_q, ratio);
   sort(p);
   return ASP_OK;
 }
@@ -71,8 +100,9 @@ void aspi_row_places_free(aspi_row_places *p) {
 
 /* A search: the place that is wanted, and the best one so far. */
 typedef struct search {
-  double height, steepness;
-  double off; /* square of the distance of the best one */
+  double height, steepness, bend;
+  double bend_unit; /* 0: any curvature */
+  double off;       /* square of the distance of the best one */
   const aspi_row_place *best;
 } search;
 
@@ -81,7 +111,8 @@ static bool look_at(const aspi_row_places *p, const aspi_row_place *at, search *
   double steepness = (double)at->steepness, aside = p->unit * (steepness - s->steepness);
   if (aside * aside >= s->off)
     return false;
-  double up = (double)at->height - s->height, off = aside * aside + up * up;
+  double up = (double)at->height - s->height, turn = s->bend_unit * ((double)at->bend - s->bend);
+  double off = aside * aside + up * up + turn * turn;
   if (off < s->off) {
     s->off = off;
     s->best = at;
@@ -135,8 +166,11 @@ static const aspi_row_place *find(const aspi_row_places *p, search *s) {
 }
 
 double aspi_row_places_move(const aspi_row_places *p, const aspi_field *row, double slope,
-                            aspi_spot *spot, bool *back) {
-  search s = {spot->z, fabs(slope), INFINITY, p->place}; /* the first place for a slope of NaN */
+                            bool bends_alike, aspi_spot *spot, bool *back) {
+  ptrdiff_t last = row->columns - 1, here = (ptrdiff_t)spot->x[0];
+  double bend = bend_at(p, row, here < last ? here : last);
+  search s = {spot->z,  fabs(slope), bend, bends_alike ? p->bend_unit : 0,
+              INFINITY, p->place}; /* the first place for a slope of NaN */
   const aspi_row_place *at = find(p, &s);
   double own = aspi_field_slope(row, (size_t)at->cell), first = (double)row->z[at->cell];
   double up = (spot->z - first) / row->step[0];

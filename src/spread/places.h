@@ -1,4 +1,4 @@
-/* The places of a row by height and slope, for a flight that turns on an isotropic wall.
+/* The places of a row by height, slope and curvature, for a flight that turns on an isotropic wall.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_PLACES_H
@@ -8,13 +8,14 @@
 
 /* A face of the row: its middle. */
 typedef struct aspi_row_place {
-  float height, steepness; /* steepness: of the slope without its sign */
+  float height, steepness, bend; /* the slope without its sign; the curvature, as a difference */
   int cell;
 } aspi_row_place;
 
 typedef struct aspi_row_places {
   size_t count, strip, strips; /* places, places of a strip, and strips */
-  double unit;                 /* of steepness, where one of height is 1 */
+  double unit, bend_unit;      /* of steepness and bend, where one of height is 1 */
+  ptrdiff_t reach;             /* points from a face to those that its bend is measured by */
   aspi_row_place *place;       /* in strips of increasing height; within a strip by steepness */
   float *bottom;               /* the least height of each strip */
 } aspi_row_places;
@@ -23,10 +24,10 @@ typedef struct aspi_row_places {
 asp_code aspi_row_places_create(aspi_row_places *places, const aspi_field *row, asp_error *error);
 void aspi_row_places_free(aspi_row_places *places);
 
-/* Moves the particle to the place of the row that is nearest to the same height and the slope
- * `slope` along its flight; *back: it flies toward smaller x there. Returns how much `slope`
- * exceeds the slope of that place. */
+/* Moves the particle to the place of the row that is nearest to the same height, the slope `slope`
+ * along its flight and, if it bends alike, the same curvature; *back: it flies toward smaller x
+ * there. Returns how much `slope` exceeds the slope of that place. */
 double aspi_row_places_move(const aspi_row_places *places, const aspi_field *row, double slope,
-                            aspi_spot *spot, bool *back);
+                            bool bends_alike, aspi_spot *spot, bool *back);
 
 #endif

@@ -1,8 +1,9 @@
 /* Numbers of a profile or a map: heights, slopes, correlation lengths, lay. The autocorrelation
  * comes from tiles padded with zeros (a large map costs no more memory than a tile; a profile is
- * one tile). Each lag is divided by its number of products; of a measured profile by the number of
- * points, which damps lags with few products. On a Gaussian wall with the autocovariance
- * exp(-r' M r) its 1/e contour is an ellipse; M is fitted to the contour by least squares.
+ * one tile). Each lag is divided by its number of products; divided by the number of points, which
+ * damps lags with few products, lambda_c of profiles 7 to 17 lambda_c long was another 6 to 4 %
+ * smaller. On a Gaussian wall with the autocovariance exp(-r' M r) its 1/e contour is an ellipse; M
+ * is fitted to the contour by least squares.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/describe.h"
@@ -118,16 +119,15 @@ static double products(const double *data, const long padded[2], const long size
   return sum / ((double)padded[0] * (double)padded[1]);
 }
 
-/* evenly: each lag is divided by the number of points. */
 static void add_lags(correlation *c, const double *data, const long padded[2], const long size[2],
-                     bool wraps, bool evenly, double *weight) {
+                     bool wraps, double *weight) {
   long rx = (long)c->reach[0], ry = (long)c->reach[1];
   size_t at = 0;
   for (long v = -ry; v <= ry; v++)
     for (long u = -rx; u <= rx; u++, at++) {
       c->values[at] += products(data, padded, size, wraps, u, v);
       weight[at] +=
-          (double)(size[0] - (evenly ? 0 : labs(u))) * (double)(size[1] - (evenly ? 0 : labs(v)));
+          (double)(size[0] - (wraps ? 0 : labs(u))) * (double)(size[1] - (wraps ? 0 : labs(v)));
     }
 }
 
@@ -150,7 +150,7 @@ static asp_code autocorrelation(const asp_heights *h, const asp_heights_numbers 
       load_tile(h, d, (const size_t[2]){i, j}, size, columns, rows, data);
       correlate(data, columns, rows, room);
       add_lags(c, data, (const long[2]){(long)columns, (long)rows},
-               (const long[2]){(long)size[0], (long)size[1]}, wraps, wraps || !is_map, weight);
+               (const long[2]){(long)size[0], (long)size[1]}, wraps, weight);
     }
   for (size_t i = 0; made && i < lags; i++)
     c->values[i] /= weight[i];

@@ -343,19 +343,18 @@ static double sphere_ratio(double kappa, double other) {
   return 1 / sqrt(cbrt(1 + kappa * kappa * (0.92 * kappa + 0.37 * other)));
 }
 
-/* Of both formulas, without overflow. */
 double aspi_sphere_over_disc(double kappa) {
-  return kappa >= KAPPA_NO_FILTER ? 1 / sqrt(cbrt(1 + 0.37 / (0.92 + 1 / (kappa * kappa * kappa))))
-                                  : 1;
+  return kappa >= KAPPA_NO_FILTER ? 1 - 0.105 / (1 + pow(2.12 / kappa, 1.5)) : 1;
 }
 
 void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double slope[2]) {
   double kappa = surface->curvature * d_p, short_way = 1 / surface->stretch;
   double other = kappa * short_way * short_way;
-  if (fabs(short_way - 1) > 0) {
+  if (surface->closed_form) {
+    double steep = surface->nodes ? surface->slope * correction(surface, d_p) : surface->slope;
     bool filters = fmax(kappa, other) >= KAPPA_NO_FILTER;
-    slope[0] = surface->slope * (filters ? sphere_ratio(kappa, other) : 1);
-    slope[1] = surface->slope * short_way * (filters ? sphere_ratio(other, kappa) : 1);
+    slope[0] = steep * (filters ? sphere_ratio(kappa, other) : 1);
+    slope[1] = steep * short_way * (filters ? sphere_ratio(other, kappa) : 1);
     return;
   }
   slope[0] = slope[1] = asp_surface_slope(surface, d_p) * aspi_sphere_over_disc(kappa);

@@ -1,7 +1,7 @@
 /* Walls in a simulation against figures that no wall made: speeds of spheres that roll down rough
- * slopes, by the geometry of rolling.csv; the share that sticks to a measured profile, by spheres
- * that were followed over generated surfaces (README.md); deposits that a flow removes; bodies in a
- * box, whose energy is shared as a gas has it, however far they fly in a step. truth ROLLING.CSV
+ * slopes, by the geometry of rolling.csv; impacts on measured profiles, by spheres that were
+ * followed over generated surfaces (README.md); deposits that a flow removes; bodies in a box,
+ * whose energy is shared as a gas has it, however far they fly in a step. truth ROLLING.CSV
  * Equilibrium is in equilibrium.c, the weights of each model in unit/test_sensitivity.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -93,59 +93,6 @@ void roll(const char *path, const Row &row) {
     moving += speed > 0.1;
   }
   expect(std::string("rolling, ") + row.begin, mean / moving, d[6], 4 * d[7] + row.within * d[6]);
-}
-
-/* ---- capture ---- */
-
-/* A row of "Capture" in README.md: um, m/s and degrees; the share by the geometry, its standard
- * error, and how far the model may be from it, of the share. */
-struct Capture {
-  double r_q, lambda_c, d_p, speed, angle, share, error, within;
-};
-const Capture CAPTURES[] = {{10, 40, 10, 100, 20, 0.0153, 0.0008, 0.25},
-                            {5, 40, 10, 30, 3, 0.3594, 0.004, 0.1},
-                            {5, 40, 10, 150, 85, 0.0171, 0.0002, 0.25}};
-
-/* A profile of 400 lambda_c is measured: a sum of waves of a Gaussian spectrum. */
-void capture(const Capture &row) {
-  const int waves = 500, impacts = 20000;
-  std::vector<double> z(8000, 0.0);
-  const double most = 4.5, step = 1e-6 * row.lambda_c / 20; /* most: of the spectrum's widths */
-  for (int k = 0; k < waves; k++) {
-    const double t = most * (k + 0.5) / waves, phase = 100 * normal();
-    const double height =
-        1e-6 * row.r_q * sqrt(2 * most / waves * sqrt(2 / ASP_PI) * exp(-0.5 * t * t));
-    for (size_t i = 0; i < z.size(); i++)
-      z[i] += height * cos(sqrt(2) * t / 20 * static_cast<double>(i) + phase);
-  }
-  asp_heights *heights = asp_heights_create(z.data(), z.size(), 1, step, step, false, NULL);
-  asp_description *words =
-      asp_description_parse("surface profile measured spread traced isotropic rebound bons "
-                            "materials quartz ti-6al-4v",
-                            NULL, NULL);
-  const double d = 1e-6 * row.d_p, angle = row.angle * ASP_PI / 180;
-  asp_wall *wall = NULL;
-  if (heights && words && asp_description_set_heights(words, heights, NULL) == ASP_OK)
-    wall = asp_wall_create(words, d, d, NULL);
-  if (!wall)
-    abort();
-  asp_particle grain = asp_particle();
-  grain.d_p = d;
-  grain.density = 2650;
-  const double v[3] = {row.speed * cos(angle), 0, -row.speed * sin(angle)}, up[3] = {0, 0, 1};
-  double stuck = 0;
-  for (uint64_t i = 0; i < impacts; i++) {
-    const asp_key key = {1, 1, i, 1};
-    asp_impact impact;
-    asp_wall_impact(wall, &grain, v, up, &key, &impact);
-    stuck += impact.outcome == ASP_DEPOSIT;
-  }
-  expect("share that sticks at " + std::to_string(static_cast<int>(row.speed)) + " m/s",
-         stuck / impacts, row.share,
-         4 * hypot(row.error, sqrt(row.share / impacts)) + row.within * row.share);
-  asp_wall_free(wall);
-  asp_description_free(words);
-  asp_heights_free(heights);
 }
 
 /* ---- removal ---- */
@@ -257,17 +204,104 @@ void box(double diameters, int n, int steps) {
   expect(what + "share of spin", spin / count, 0.4, 4 * sqrt(1.5 / (6.25 * 3.5)) / sqrt(n));
 }
 
+/* ---- profiles ---- */
+
+/* A wall by a profile in space against exact spheres that a program of its own followed over
+ * surfaces: Gaussian ones with this R_q and lambda_c, or functions of these, one with high peaks
+ * and one with deep valleys. In um, m/s and degrees; what is not compared is negative. */
+struct Shots {
+  enum { GAUSS, SKEWED, PLATEAU } shape;
+  double r_q, lambda_c, d_p, speed, angle, stuck, later, tilt, within;
+};
+const Shots SHOTS[] = {
+    {Shots::GAUSS, 7.1, 42, 20, 150, 25, 0.00557, -1, -1, 0.25},
+    {Shots::GAUSS, 5, 40, 10, 150, 50, 0.0134, -1, -1, 0.2},
+    {Shots::GAUSS, 10, 40, 10, 100, 20, 0.0153, -1, -1, 0.25},
+    {Shots::GAUSS, 5, 40, 10, 30, 3, 0.3594, -1, -1, 0.1},
+    {Shots::GAUSS, 5, 40, 10, 150, 85, 0.0171, -1, -1, 0.25},
+    {Shots::SKEWED, 5, 40, 10, 100, 20, 0.0110, -1, -1, 0.25},
+    {Shots::PLATEAU, 5, 40, 10, 150, 50, 0.0147, -1, -1, 0.25},
+    {Shots::PLATEAU, 1, 4.16, 10, 60, 20, 0.0198, -1, -1, 0.25},
+    {Shots::SKEWED, 0.6, 2.28, 20, 40, 25, 0.0187, -1, -1, 0.25},
+    {Shots::GAUSS, 20, 40, 2, 1, 30, -1, 0.206, -1, 0.07},
+    {Shots::GAUSS, 5, 40, 739, 1, 5, -1, -1, 3.67, 0.05},
+    {Shots::GAUSS, 5, 40, 1848, 1, 5, -1, -1, 1.66, 0.07},
+};
+
+/* A profile, of white noise filtered by exp(-2 x^2/lambda_c^2). */
+asp_heights *profile_of(const Shots &at) {
+  const int lengths = 1000, per = 24, reach = 2 * per, n = lengths * per;
+  const double r_q = 1e-6 * at.r_q, step = 1e-6 * at.lambda_c / per;
+  std::vector<double> noise(n + 2 * reach), z(n);
+  for (double &x : noise)
+    x = normal();
+  double square = 0;
+  for (int i = 0; i < n; i++) {
+    for (int k = -reach; k <= reach; k++)
+      z[i] += noise[i + reach + k] * exp(-2. * k * k / (per * per));
+    square += i > 0 ? pow((z[i] - z[i - 1]) / step, 2) / (n - 1) : 0;
+  }
+  const double scale = sqrt(2) * at.r_q / at.lambda_c / sqrt(square) / r_q;
+  for (double &x : z)
+    x = at.shape == Shots::SKEWED    ? 1.6 * r_q * exp(0.5 * scale * x)
+        : at.shape == Shots::PLATEAU ? -1.3 * r_q * log1p(exp(0.6 - 1.4 * scale * x))
+                                     : r_q * scale * x;
+  return asp_heights_create(z.data(), n, 1, step, step, false, nullptr);
+}
+
+void shoot(const Shots &at) {
+  const int n = 20000;
+  const double d_p = 1e-6 * at.d_p, angle = at.angle * ASP_PI / 180;
+  asp_error error = asp_error();
+  asp_heights *heights = profile_of(at);
+  asp_description *words = asp_description_parse(
+      at.stuck > 0 ? "surface profile generated rebound bons materials quartz ti-6al-4v"
+                   : "surface profile generated rebound constant 1 1 deposit off",
+      nullptr, &error);
+  if (!words || asp_description_set_heights(words, heights, &error))
+    abort();
+  asp_wall *wall = asp_wall_create(words, d_p, d_p, &error);
+  if (!wall)
+    abort();
+  asp_particle particle = asp_particle();
+  particle.d_p = d_p;
+  particle.density = 2650;
+  const double v[3] = {at.speed * cos(angle), 0, -at.speed * sin(angle)}, up[3] = {0, 0, 1};
+  double stuck = 0, later = 0, tilt = 0;
+  for (int i = 0; i < n; i++) {
+    asp_impact impact;
+    asp_key key = asp_key();
+    key.tag = static_cast<uint64_t>(i);
+    asp_wall_impact(wall, &particle, v, up, &key, &impact);
+    stuck += (impact.outcome == ASP_DEPOSIT) / double(n);
+    later += (impact.hits > 1) / double(n);
+    tilt += impact.delta_alpha * 180 / ASP_PI / n;
+  }
+  char what[100];
+  snprintf(what, sizeof what, "profile %d, R_q %g, d %g, %g m/s at %g degrees: ", at.shape, at.r_q,
+           at.d_p, at.speed, at.angle);
+  if (at.stuck > 0)
+    expect(std::string(what) + "share that sticks", stuck, at.stuck, at.within * at.stuck);
+  if (at.later > 0)
+    expect(std::string(what) + "later hits", later, at.later, at.within * at.later);
+  if (at.tilt > 0)
+    expect(std::string(what) + "first tilt", tilt, at.tilt, at.within * at.tilt);
+  asp_wall_free(wall);
+  asp_description_free(words);
+  asp_heights_free(heights);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
   MPI_Init(&argc, &argv);
   for (const Row &row : ROWS)
     roll(argv[1], row);
-  for (const Capture &row : CAPTURES)
-    capture(row);
   remove();
   box(10, 200, 20);
   box(100, 60, 4);
+  for (const Shots &at : SHOTS)
+    shoot(at);
   MPI_Finalize();
   return failures > 0;
 }

@@ -103,6 +103,22 @@ static void description_of_a_wave(void **state) {
   }
 }
 
+/* Three periods of a wave: r(x) = cos(2 pi x/L) at each lag, however few products it has; divided
+ * by the number of points, lambda_c would be 2 % smaller. (Beginning at an eighth of a period, the
+ * ends add nothing.) */
+static void lags_of_a_short_wave_are_not_damped(void **state) {
+  (void)state;
+  enum { N = 300 };
+  double z[N];
+  for (int i = 0; i < N; i++)
+    z[i] = sin(2 * ASP_PI * ((i + 0.5) / 100 + 0.125));
+  asp_heights *p = asp_heights_create(z, N, 1, 0.1, 0, false, NULL);
+  asp_heights_numbers d;
+  assert_int_equal(asp_heights_describe(p, &d, NULL), ASP_OK);
+  assert_near(d.lambda_1, 10 * acos(exp(-1)) / (2 * ASP_PI), 5e-3);
+  asp_heights_free(p);
+}
+
 static void bad_profiles_are_refused(void **state) {
   (void)state;
   asp_error e;
@@ -724,6 +740,7 @@ int main(void) {
       cmocka_unit_test(the_seed_decides),
       cmocka_unit_test(generated_profile_is_periodic),
       cmocka_unit_test(description_of_a_wave),
+      cmocka_unit_test(lags_of_a_short_wave_are_not_damped),
       cmocka_unit_test(bad_profiles_are_refused),
       cmocka_unit_test(heights_and_spacings_are_numbers),
       cmocka_unit_test(separators_and_decimal_commas),
