@@ -108,7 +108,7 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   asp_error error;
   const cli_option *samples = cli_get(call, "samples");
   double width = cli_number(cli_get(call, "bin"), 0.1, 90);
-  c->data = cli_scatter_read_data(call, path);
+  c->data = cli_scatter_read_data(call, path, NULL);
   c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)

@@ -381,8 +381,19 @@ static double cor_t_space(const double v[], const aspi_scatter_row *row) {
 }
 
 static void add_row(aspi_scatter *s, aspi_scatter_row row) {
-  s->rows = cli_grow(s->rows, s->count, sizeof *s->rows);
+  s->impacts++;
   s->deposits += row.deposit;
+  row.rows = 1;
+  row.least = row.most = row.degrees;
+  if (s->apart) {
+    aspi_scatter_key(s, &row);
+    if (s->count > 0 && aspi_scatter_merge(&s->rows[s->count - 1], &row))
+      return;
+    if (s->count == s->room)
+      aspi_scatter_gather(s);
+    aspi_scatter_key(s, &row); /* which may be of an interval now */
+  }
+  s->rows = cli_grow(s->rows, s->count, sizeof *s->rows);
   s->rows[s->count++] = row;
 }
 
@@ -411,14 +422,18 @@ static int by_place(const void *left, const void *right) {
 static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
   const char *path = t->table->text.path;
   double v[SCATTER_COLUMNS];
-  size_t below = 0, empty = 0;
+  size_t below = 0, empty = 0, not_in_space = 0;
   while (cli_scatter_row(t, v)) {
     aspi_scatter_row row = row_of(f, v);
     double n = row.cor[COR_N];
     row.deposit = !f->means && (s->has_outcome ? v[OUTCOME] > 0 : n <= 0 && n >= 0);
     if (row.deposit)
       row.cor[COR_N] = row.cor[COR_T] = NAN;
-    row.cor_t_space = cor_t_space(v, &row);
+    if (!measured && s->view == ASPI_IN_SPACE) {
+      double in_space = cor_t_space(v, &row);
+      not_in_space += isfinite(row.cor[COR_N] + row.cor[COR_T]) && isnan(in_space);
+      row.cor[COR_T] = in_space;
+    }
     s->has_speed = s->has_speed || isfinite(row.v1);
     s->has_size = s->has_size || isfinite(row.d_p);
     below += row.cor[COR_N] < 0;
@@ -429,27 +444,31 @@ static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter
     else
       empty++;
   }
+  if (not_in_space > 0)
+    cli_bad_usage("%s: the data are of rebounds in space, and these impacts have no speed v2 or "
+                  "cor_v_space to compare with",
+                  path);
   if (measured && below > 0)
     cli_warn("%s: %zu rebounds are below the wall, as by noise; they are mirrored at it", path,
              below);
   if (empty > 0)
-    cli_warn("%s: %zu of %zu rows have neither coefficient nor outcome and are left out", path,
-             empty, empty + s->count);
+    cli_warn("%s: %zu of %.0f rows have neither coefficient nor outcome and are left out", path,
+             empty, (double)empty + s->impacts);
 }
 
 /* Reads all rows, in order. */
-static aspi_scatter read(cli_scatter *t, bool measured) {
-  form f = find_form(t);
-  aspi_scatter s = {.means = f.means, .has_outcome = has(t, OUTCOME)};
-  bool plane = f.means || f.points || f.components;
-  s.view = plane ? ASPI_IN_PLANE : f.ratios < ASPI_VIEWS ? f.ratios : f.velocities;
-  read_rows(t, &f, measured, &s);
-  if (s.count > 0)
-    qsort(s.rows, s.count, sizeof *s.rows, by_place);
-  return s;
+static void read(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
+  s->means = f->means;
+  s->has_outcome = has(t, OUTCOME);
+  read_rows(t, f, measured, s);
+  if (s->apart)
+    aspi_scatter_gather(s);
+  if (s->count > 0)
+    qsort(s->rows, s->count, sizeof *s->rows, by_place);
 }
 
-aspi_scatter cli_scatter_read_impacts(const char *path) {
+aspi_scatter cli_scatter_read_impacts(const char *path, aspi_rebound_view view,
+                                      const aspi_apart *apart) {
   cli_scatter t = cli_scatter_open(path, MESH);
   cli_scatter_need(&t, ALPHA1, "");
   if (t.at[POINT + COR_T] < 0)
@@ -457,19 +476,29 @@ aspi_scatter cli_scatter_read_impacts(const char *path) {
                      "; impacts are a ledger or what 'asperity cor' writes, and data stand behind "
                      "them");
   t.needed[POINT] = false; /* deposits have none */
-  aspi_scatter s = read(&t, false);
-  if (s.count == s.deposits)
-    cli_bad_usage("%s: no rebound in it (%zu deposits)", path, s.deposits);
+  form f = find_form(&t);
+  aspi_scatter s = {
+      .apart = apart, .view = view, .by_interval = apart->width > 0 && !apart->places};
+  read(&t, &f, false, &s);
+  if (!(s.impacts > s.deposits))
+    cli_bad_usage("%s: no rebound in it (%.0f deposits)", path, s.deposits);
   return s;
 }
 
-aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path) {
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path,
+                                   const aspi_apart *apart) {
   cli_scatter t = cli_scatter_open(path, MESH);
   const cli_option *choice = cli_get(call, "columns");
   if (choice->value)
     take_choice(&t, choice);
   take_normal(&t, cli_get(call, "from"));
-  aspi_scatter s = read(&t, true);
+  form f = find_form(&t);
+  bool plane = f.means || f.points || f.components;
+  aspi_scatter s = {.apart = f.means ? NULL : apart,
+                    .view = plane                   ? ASPI_IN_PLANE
+                            : f.ratios < ASPI_VIEWS ? f.ratios
+                                                    : f.velocities};
+  read(&t, &f, true, &s);
   if (s.count == 0)
     cli_bad_usage("%s: no row of data", path);
   return s;

@@ -67,10 +67,12 @@ void cli_scatter_need(cli_scatter *table, int column, const char *hint);
  * file, which is closed. */
 bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
 
-/* Impacts of a model or a simulation, which have coefficients; and measured data of any form. Both
- * in order of angle, speed and size. */
-aspi_scatter cli_scatter_read_impacts(const char *path);
-aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path);
+/* Impacts of a model or a simulation, which have coefficients, in the view of the data; and
+ * measured data of any form. Both in order of angle, speed and size, and put together but for what
+ * is apart (NULL: a row for each; never means). */
+aspi_scatter cli_scatter_read_impacts(const char *path, aspi_rebound_view view,
+                                      const aspi_apart *apart);
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path, const aspi_apart *apart);
 
 /* Options of a command that reads such data. */
 #define SCATTER_OPTIONS                                                                            \
