@@ -218,7 +218,7 @@ static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
   aspi_side *side = &b->data;
   for (int k = 0; k < ASPI_QUANTITIES; k++)
     side->of[k] = aspi_sample_none;
-  for (int k = 0; k < COR_BOTH && data->means; k++) {
+  for (int k = 0; k < ASPI_COMPARED && data->means; k++) {
     aspi_sample *s = &side->of[k];
     s->mean = row->cor[k];
     s->sd = row->sd[k];
@@ -253,7 +253,9 @@ asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, as
     fine = take_data(&c->data, b) && (!far || take_model(c, far, &w, b));
     if (!far && fine) {
       b->model = b->data;
-      b->data = (aspi_side){.of = {aspi_sample_none, aspi_sample_none, aspi_sample_none}};
+      b->data = (aspi_side){.count = 0};
+      for (int k = 0; k < ASPI_QUANTITIES; k++)
+        b->data.of[k] = aspi_sample_none;
       b->from = 90;
       b->to = 0;
       for (size_t row = b->first; row < b->end; row++) {

@@ -50,7 +50,8 @@ void aspi_scatter_key(const aspi_scatter *s, aspi_scatter_row *row) {
 
 /* Which coefficients there are, and deposits. */
 static int kind_of(const aspi_scatter_row *row) {
-  return isnan(row->cor[COR_N]) + 2 * isnan(row->cor[COR_T]) + 4 * row->deposit;
+  return isnan(row->cor[COR_N]) + 2 * isnan(row->cor[COR_T]) + 4 * isnan(row->cor[REBOUND_ANGLE]) +
+         8 * row->deposit;
 }
 
 static int by_key(const void *left, const void *right) {
@@ -63,8 +64,8 @@ static int by_key(const void *left, const void *right) {
 
 void aspi_scatter_about(const aspi_scatter_row *row, int k, double center, double sums[4]) {
   static const double none[4];
-  const double *s = k < COR_BOTH ? row->power[k] : none, n = row->rows;
-  double d = (k < COR_BOTH ? row->cor[k] : row->deposit) - center, d2 = d * d;
+  const double *s = k < ASPI_COMPARED ? row->power[k] : none, n = row->rows;
+  double d = (k < ASPI_COMPARED ? row->cor[k] : row->deposit) - center, d2 = d * d;
   sums[0] = s[0] + n * d;
   sums[1] = s[1] + 2 * d * s[0] + n * d2;
   sums[2] = s[2] + 3 * d * s[1] + 3 * d2 * s[0] + n * d2 * d;
@@ -74,13 +75,13 @@ void aspi_scatter_about(const aspi_scatter_row *row, int k, double center, doubl
 static void add(void *of, const void *with) {
   aspi_scatter_row *to = of;
   const aspi_scatter_row *more = with;
-  double share = more->rows / (to->rows + more->rows), sums[COR_BOTH][4];
+  double share = more->rows / (to->rows + more->rows), sums[ASPI_COMPARED][4];
   to->degrees += share * (more->degrees - to->degrees);
   to->v1 += share * (more->v1 - to->v1);
   to->d_p += share * (more->d_p - to->d_p);
   to->least = fmin(to->least, more->least);
   to->most = fmax(to->most, more->most);
-  for (int k = 0; k < COR_BOTH; k++) {
+  for (int k = 0; k < ASPI_COMPARED; k++) {
     aspi_scatter_about(more, k, to->cor[k], sums[k]);
     for (int p = 0; p < 4; p++)
       to->power[k][p] += sums[k][p];

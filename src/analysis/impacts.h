@@ -10,7 +10,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { COR_N, COR_T, COR_BOTH };
+/* Both coefficients, and for data that have neither the angle of the rebound, in degrees. */
+enum { COR_N, COR_T, COR_BOTH, REBOUND_ANGLE = COR_BOTH, ASPI_COMPARED };
 
 /* NAN where there is no number. Of an impact, cor are its coefficients, se their measurement
  * errors. Of a mean, cor are means, sd standard deviations, se standard errors, n the number of
@@ -20,10 +21,10 @@ enum { COR_N, COR_T, COR_BOTH };
  * mean, and power[k][p] the sum of (x - cor[k])^(p + 1), product that of both differences. */
 typedef struct aspi_scatter_row {
   double degrees, v1, d_p; /* SI */
-  double cor[COR_BOTH], sd[COR_BOTH], se[COR_BOTH], n;
+  double cor[ASPI_COMPARED], sd[ASPI_COMPARED], se[ASPI_COMPARED], n;
   bool deposit;             /* it has no coefficients */
   double rows, least, most; /* angles in degrees */
-  double key[3], power[COR_BOTH][4], product;
+  double key[3], power[ASPI_COMPARED][4], product;
 } aspi_scatter_row;
 
 /* Which interval of that width an angle is in; the last one ends with 90 degrees. */
@@ -51,6 +52,7 @@ typedef struct aspi_scatter {
   bool means;               /* rows are means, not impacts */
   bool has_speed, has_size; /* of some rows they are known */
   bool has_outcome;         /* there is such a column */
+  bool has_angle;           /* of rebounds, and no coefficients */
   bool by_interval;         /* rows are of intervals */
   const aspi_apart *apart;  /* NULL: there is a row for each impact */
   aspi_rebound_view view;

@@ -16,7 +16,7 @@ static aspi_sample describe(const aspi_side *side, int k) {
   for (size_t i = 0; i < side->count; i++) {
     const aspi_scatter_row *row = side->impacts[i].row;
     double each = side->impacts[i].weight, weight = each * row->rows;
-    if (k < COR_BOTH && isnan(row->cor[k]))
+    if (k < ASPI_COMPARED && isnan(row->cor[k]))
       continue;
     aspi_scatter_about(row, k, mean, sums);
     s.count += (size_t)row->rows;
@@ -26,7 +26,7 @@ static aspi_sample describe(const aspi_side *side, int k) {
   }
   for (size_t i = 0; i < side->count; i++) {
     const aspi_scatter_row *row = side->impacts[i].row;
-    if (k < COR_BOTH && isnan(row->cor[k]))
+    if (k < ASPI_COMPARED && isnan(row->cor[k]))
       continue;
     aspi_scatter_about(row, k, mean, sums);
     second += side->impacts[i].weight * sums[1];
@@ -100,7 +100,7 @@ static double add_difference(aspi_score *score, double difference, double error)
 }
 
 /* Adds what two differences of that correlation have in common. */
-static void add_pair(aspi_score *score, const double z[COR_BOTH], double correlation) {
+static void add_pair(aspi_score *score, const double z[], double correlation) {
   if (fabs(z[COR_N]) > 0 && fabs(z[COR_T]) > 0) {
     score->scatter += 2 * correlation * correlation;
     score->shift += 2 * correlation * z[COR_N] * z[COR_T];
@@ -108,8 +108,8 @@ static void add_pair(aspi_score *score, const double z[COR_BOTH], double correla
 }
 
 void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *data) {
-  double means[COR_BOTH] = {0, 0}, sds[COR_BOTH] = {0, 0}, correlation = model->correlation;
-  for (int k = 0; k < COR_BOTH; k++) {
+  double means[ASPI_COMPARED] = {0}, sds[ASPI_COMPARED] = {0}, correlation = model->correlation;
+  for (int k = 0; k < ASPI_COMPARED; k++) {
     const aspi_sample *m = &model->of[k], *d = &data->of[k];
     if (data->impacts && !(d->size >= ASPI_SCORED_LEAST))
       continue;

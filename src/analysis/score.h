@@ -11,8 +11,9 @@
 /* Fewer single impacts than this tell no standard error to divide by. */
 enum { ASPI_SCORED_LEAST = 10 };
 
-/* The quantities of an impact: both coefficients, and 1 for a deposit, 0 for a rebound. */
-enum { ASPI_DEPOSITS = COR_BOTH, ASPI_QUANTITIES };
+/* The quantities of an impact: its numbers that are compared, and 1 for a deposit, 0 for a rebound.
+ */
+enum { ASPI_DEPOSITS = ASPI_COMPARED, ASPI_QUANTITIES };
 
 /* A row of impacts, and the weight of each of them. */
 typedef struct aspi_weighted {

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"};
+static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "alpha2_deg", "deposits"};
 
 /* Width of bins in degrees, for impacts that were not measured repeatedly at the same places. The
  * tolerances for matching model impacts to a measurement: degrees, relative speed, relative size.
@@ -31,9 +31,9 @@ static void print_bin(FILE *out, const aspi_comparison *c, const aspi_compare_bi
   const aspi_sample *m = &b->model.of[k], *d = &b->data.of[k];
   cli_row(out, "%s,%.6g,%g,%g,%.6g,%.6g,", names[k], b->degrees, b->from, b->to, b->v1,
           b->d_p * 1e6);
-  print_side(out, m, (double)m->count, k < COR_BOTH);
+  print_side(out, m, (double)m->count, k < ASPI_COMPARED);
   double n = c->data.means ? c->data.rows[b->first].n : c->names[1] ? (double)d->count : NAN;
-  print_side(out, d, n, k < COR_BOTH);
+  print_side(out, d, n, k < ASPI_COMPARED);
   fputs(",\n", out);
 }
 
@@ -52,8 +52,8 @@ static void print_all(FILE *out, const aspi_comparison *c) {
         "model_mean_se,model_sd,model_sd_se,data_n,data_mean,data_mean_se,data_sd,data_sd_se,"
         "score,score_se\n",
         out);
-  for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : COR_BOTH); k++)
-    for (size_t i = 0; i < c->count; i++)
+  for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : ASPI_COMPARED); k++)
+    for (size_t i = 0; i < c->count && (k != REBOUND_ANGLE || c->data.has_angle); i++)
       print_bin(out, c, &c->bins[i], k);
   if (c->names[1])
     cli_row(out, "score,,,,,,,,,,,,,,,,%.6g,%.6g\n", c->score.value, c->score.se);
@@ -62,7 +62,7 @@ static void print_all(FILE *out, const aspi_comparison *c) {
 /* Warns of bins that have only one of both, and fails where there is none with both. */
 static void check_bins(const aspi_comparison *c) {
   size_t both = 0;
-  for (int k = 0; k < COR_BOTH; k++) {
+  for (int k = 0; k < ASPI_COMPARED; k++) {
     size_t no_model = 0, with_data = 0;
     for (size_t i = 0; i < c->count; i++) {
       bool data = isfinite(c->bins[i].data.of[k].mean);
@@ -117,7 +117,7 @@ static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool
     if (cli_is_set(call, of_data[i]))
       cli_bad_usage("--%s has no effect without DATA", of_data[i]);
   const aspi_apart apart = {.width = width, .places = given ? 0 : PLACES_MOST};
-  c->impacts = cli_scatter_read_impacts(c->names[0], ASPI_IN_PLANE, &apart);
+  c->impacts = cli_scatter_read_impacts(c->names[0], NULL, &apart);
   c->data = c->impacts;
   c->data.has_outcome = true;
   make_bins(c, width, given);
@@ -133,7 +133,7 @@ static void compare_with(aspi_comparison *c, cli_call *call, double width, bool 
   const aspi_compare_reach reach = {far[0], far[1], far[2]};
   c->data = cli_scatter_read_data(call, c->names[1], &places);
   cli_must(!aspi_compare_apart(&c->data, &reach, &apart, &error), &error);
-  c->impacts = cli_scatter_read_impacts(c->names[0], c->data.view, &apart);
+  c->impacts = cli_scatter_read_impacts(c->names[0], &c->data, &apart);
   warn_unknown(c);
   make_bins(c, width, given);
   cli_must(!aspi_compare_fill(c, &reach, &error), &error);
