@@ -41,6 +41,53 @@ static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
          is_near(a->d_p, b->d_p, SAME_SHARE);
 }
 
+static asp_code no_memory(size_t count, asp_error *error) {
+  return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
+}
+
+/* ---- what tells impacts apart ---- */
+
+static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
+
+static int by_number(const void *left, const void *right) {
+  const double *a = left, *b = right;
+  return (*a > *b) - (*a < *b);
+}
+
+static void no_more(void *to, const void *more) {
+  (void)to;
+  (void)more;
+}
+
+asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *far,
+                            aspi_apart *apart, asp_error *error) {
+  const aspi_compare_reach *const reach[] = {&same, far};
+  *apart = (aspi_apart){.width = 0};
+  for (int d = 0; d < 3; d++) {
+    double *border = apart->border[d] = malloc((4 * data->count + 1) * sizeof *border);
+    if (!border)
+      return no_memory(data->count, error);
+    for (size_t i = 0; i < 4 * data->count; i++) {
+      const aspi_scatter_row *row = &data->rows[i / 4];
+      const aspi_compare_reach *by = reach[i / 2 % 2];
+      double sign = i % 2 ? 1 : -1;
+      double at = d == 0   ? row->degrees + sign * by->degrees
+                  : d == 1 ? row->v1 * (1 + sign * by->speed)
+                           : row->d_p * (1 + sign * by->size);
+      if (!isnan(at))
+        border[apart->count[d]++] = at;
+    }
+    apart->count[d] =
+        aspi_put_together(border, apart->count[d], sizeof *border, by_number, no_more);
+  }
+  return ASP_OK;
+}
+
+void aspi_compare_apart_free(aspi_apart *apart) {
+  for (int d = 0; d < 3; d++)
+    free(apart->border[d]);
+}
+
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
@@ -48,24 +95,26 @@ static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
  * many that were hit once. */
 static bool is_of_places(const aspi_scatter *data) {
   size_t places = 0, often = 0;
-  for (size_t i = 0, rows = 0; i < data->count; i++) {
-    rows = i > 0 && same_place(&data->rows[i], &data->rows[i - 1]) ? rows + 1 : 1;
-    places += rows == 1;
-    often += rows == ROWS_EACH;
+  double before = 0;
+  for (size_t i = 0; i < data->count; i++) {
+    bool again = i > 0 && same_place(&data->rows[i], &data->rows[i - 1]);
+    double rows = data->rows[i].rows + (again ? before : 0);
+    places += !again;
+    often += rows >= ROWS_EACH && !(again && before >= ROWS_EACH);
+    before = rows;
   }
-  return (double)often >= NEARLY_ALL * (double)places;
-}
-
-static asp_code no_memory(size_t count, asp_error *error) {
-  return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
+  return !data->by_interval && (double)often >= NEARLY_ALL * (double)places;
 }
 
 static void describe_place(const aspi_scatter *data, aspi_compare_bin *on) {
-  double n = (double)(on->end - on->first);
+  double n = 0;
+  for (size_t i = on->first; i < on->end; i++)
+    n += data->rows[i].rows;
   for (size_t i = on->first; i < on->end; i++) {
-    on->degrees += data->rows[i].degrees / n;
-    on->v1 += data->rows[i].v1 / n;
-    on->d_p += data->rows[i].d_p / n;
+    double share = data->rows[i].rows / n;
+    on->degrees += data->rows[i].degrees * share;
+    on->v1 += data->rows[i].v1 * share;
+    on->d_p += data->rows[i].d_p * share;
   }
 }
 
@@ -104,20 +153,20 @@ static bool is_around(const aspi_scatter_row *p, const aspi_scatter_row *at,
   return is_near(p->v1, at->v1, far->speed) && is_near(p->d_p, at->d_p, far->size);
 }
 
-static size_t count_near(const aspi_scatter *impacts, const aspi_scatter_row *at,
+static double count_near(const aspi_scatter *impacts, const aspi_scatter_row *at,
                          const aspi_compare_reach *far) {
-  size_t found = 0;
+  double found = 0;
   const aspi_scatter_row *p = impacts->rows;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++)
-    found += is_around(&p[i], at, far);
+    found += is_around(&p[i], at, far) ? p[i].rows : 0;
   return found;
 }
 
 /* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
 static void weigh(const aspi_scatter *impacts, const aspi_scatter_row *at,
                   const aspi_compare_reach *far, double rows, weights *w) {
-  double each = rows / (double)count_near(impacts, at, far);
+  double each = rows / count_near(impacts, at, far);
   const aspi_scatter_row *p = impacts->rows;
   for (size_t i = count_below(impacts, at->degrees - far->degrees);
        i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++) {
@@ -132,17 +181,16 @@ static void weigh(const aspi_scatter *impacts, const aspi_scatter_row *at,
 /* Gives weights to the model's impacts in a bin. */
 static void weigh_bin(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
                       aspi_compare_bin *b) {
-  static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
   const aspi_scatter_row *rows = c->data.rows;
   b->from = 90;
   b->to = 0;
   w->count = 0;
   for (size_t i = b->first, next; i < b->end; i = next) {
+    double n = rows[i].rows;
     for (next = i + 1; next < b->end && same_place(&rows[i], &rows[next]);)
-      next++;
-    double n = (double)(next - i);
-    size_t at = count_near(&c->impacts, &rows[i], &same);
-    bool exact = at >= ENOUGH || (at > 0 && at == count_near(&c->impacts, &rows[i], far));
+      n += rows[next++].rows;
+    double at = count_near(&c->impacts, &rows[i], &same);
+    bool exact = at >= ENOUGH || (at > 0 && at >= count_near(&c->impacts, &rows[i], far));
     weigh(&c->impacts, &rows[i], exact ? &same : far, n, w);
     double wide = exact ? 0 : far->degrees;
     b->from = fmax(0, fmin(b->from, rows[i].degrees - wide));
@@ -159,9 +207,7 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
     return false;
   for (; w->count > 0; w->of[w->which[w->count]] = 0) {
     size_t i = w->which[--w->count];
-    const aspi_scatter_row *p = &c->impacts.rows[i];
-    side->impacts[side->count++] =
-        (aspi_weighted){{p->cor[COR_N], p->cor[COR_T], p->deposit}, w->of[i]};
+    side->impacts[side->count++] = (aspi_weighted){&c->impacts.rows[i], w->of[i]};
   }
   return true;
 }
@@ -172,7 +218,7 @@ static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
   aspi_side *side = &b->data;
   for (int k = 0; k < ASPI_QUANTITIES; k++)
     side->of[k] = aspi_sample_none;
-  for (int k = 0; k < COR_BOTH && data->means; k++) {
+  for (int k = 0; k < ASPI_COMPARED && data->means; k++) {
     aspi_sample *s = &side->of[k];
     s->mean = row->cor[k];
     s->sd = row->sd[k];
@@ -184,8 +230,7 @@ static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
   if (!(side->impacts = malloc((b->end - b->first) * sizeof *side->impacts)))
     return false;
   for (; side->count < b->end - b->first; row++)
-    side->impacts[side->count++] =
-        (aspi_weighted){{row->cor[COR_N], row->cor[COR_T], row->deposit}, 1};
+    side->impacts[side->count++] = (aspi_weighted){row, 1};
   aspi_side_describe(side);
   return true;
 }
@@ -208,9 +253,15 @@ asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, as
     fine = take_data(&c->data, b) && (!far || take_model(c, far, &w, b));
     if (!far && fine) {
       b->model = b->data;
-      b->data = (aspi_side){.of = {aspi_sample_none, aspi_sample_none, aspi_sample_none}};
-      b->from = c->data.rows[b->first].degrees;
-      b->to = c->data.rows[b->end - 1].degrees;
+      b->data = (aspi_side){.count = 0};
+      for (int k = 0; k < ASPI_QUANTITIES; k++)
+        b->data.of[k] = aspi_sample_none;
+      b->from = 90;
+      b->to = 0;
+      for (size_t row = b->first; row < b->end; row++) {
+        b->from = fmin(b->from, c->data.rows[row].least);
+        b->to = fmax(b->to, c->data.rows[row].most);
+      }
     }
     if (fine)
       aspi_side_describe(&b->model);

@@ -37,6 +37,12 @@ typedef struct aspi_compare_reach {
   double degrees, speed, size;
 } aspi_compare_reach;
 
+/* What the bins and the measurements tell apart of the model's impacts: the borders of all places
+ * of the data and of what is near them. To be freed. */
+asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *far,
+                            aspi_apart *apart, asp_error *error);
+void aspi_compare_apart_free(aspi_apart *apart);
+
 /* A bin for each row of means; of impacts for each interval of angles of that width in degrees. Not
  * `given` by the user, the width does not count where many impacts were measured at each place:
  * each place is a bin then. */

@@ -10,15 +10,21 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { COR_N, COR_T, COR_BOTH };
+/* Both coefficients, and for data that have neither the angle of the rebound, in degrees. */
+enum { COR_N, COR_T, COR_BOTH, REBOUND_ANGLE = COR_BOTH, ASPI_COMPARED };
 
 /* NAN where there is no number. Of an impact, cor are its coefficients, se their measurement
- * errors, and cor_t_space is the ratio of the whole speeds along the wall, without a sign. Of a
- * mean, cor are means, sd standard deviations, se standard errors, n the number of impacts. */
+ * errors. Of a mean, cor are means, sd standard deviations, se standard errors, n the number of
+ * impacts.
+ *
+ * A row may be of `rows` impacts that have the same key, of which it is: then the place is their
+ * mean, and power[k][p] the sum of (x - cor[k])^(p + 1), product that of both differences. */
 typedef struct aspi_scatter_row {
   double degrees, v1, d_p; /* SI */
-  double cor[COR_BOTH], cor_t_space, sd[COR_BOTH], se[COR_BOTH], n;
-  bool deposit; /* it has no coefficients */
+  double cor[ASPI_COMPARED], sd[ASPI_COMPARED], se[ASPI_COMPARED], n;
+  bool deposit;             /* it has no coefficients */
+  double rows, least, most; /* angles in degrees */
+  double key[3], power[ASPI_COMPARED][4], product;
 } aspi_scatter_row;
 
 /* Which interval of that width an angle is in; the last one ends with 90 degrees. */
@@ -30,13 +36,43 @@ static inline double aspi_scatter_interval(const aspi_scatter_row *row, double w
  * has a sign; or in space, where it is of the whole speed along the wall. */
 typedef enum aspi_rebound_view { ASPI_IN_PLANE, ASPI_IN_SPACE, ASPI_VIEWS } aspi_rebound_view;
 
+/* What tells impacts apart that are not kept one by one: their angle, speed and size, as numbers or
+ * by the borders between which they are. Or intervals of their angle, at once or where there are
+ * more places than `places`. */
+typedef struct aspi_apart {
+  double *border[3]; /* in order; NULL: as numbers */
+  size_t count[3], places;
+  double width; /* 0: no intervals */
+} aspi_apart;
+
 typedef struct aspi_scatter {
   aspi_scatter_row *rows;
-  size_t count, deposits;   /* deposits: rows that are one */
+  size_t count, room;       /* rows, and how many there may be before they are put together */
+  double impacts, deposits; /* in all rows; deposits: that are one */
   bool means;               /* rows are means, not impacts */
   bool has_speed, has_size; /* of some rows they are known */
   bool has_outcome;         /* there is such a column */
+  bool has_angle;           /* of rebounds, and no coefficients */
+  bool by_interval;         /* rows are of intervals */
+  const aspi_apart *apart;  /* NULL: there is a row for each impact */
   aspi_rebound_view view;
 } aspi_scatter;
+
+/* Sets the key of a row. */
+void aspi_scatter_key(const aspi_scatter *s, aspi_scatter_row *row);
+
+/* Makes one row of two that have the same key; false if they have not. */
+bool aspi_scatter_merge(aspi_scatter_row *to, const aspi_scatter_row *more);
+
+/* Makes one row of all that have the same key. */
+void aspi_scatter_gather(aspi_scatter *s);
+
+/* Sums over a row of (x - center)^p, p from 1 to 4. */
+void aspi_scatter_about(const aspi_scatter_row *row, int k, double center, double sums[4]);
+
+/* In order of what `compare` says, makes one of all items that are equal; how many are left. */
+size_t aspi_put_together(void *items, size_t count, size_t size,
+                         int (*compare)(const void *, const void *),
+                         void (*add)(void *to, const void *more));
 
 #endif

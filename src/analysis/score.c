@@ -12,20 +12,25 @@ const aspi_sample aspi_sample_none = {
 
 static aspi_sample describe(const aspi_side *side, int k) {
   aspi_sample s = aspi_sample_none;
-  double total = 0, squares = 0, mean = 0, second = 0, fourth = 0;
+  double total = 0, squares = 0, mean = 0, second = 0, fourth = 0, sums[4];
   for (size_t i = 0; i < side->count; i++) {
-    const aspi_weighted *x = &side->impacts[i];
-    if (isnan(x->of[k]))
+    const aspi_scatter_row *row = side->impacts[i].row;
+    double each = side->impacts[i].weight, weight = each * row->rows;
+    if (k < ASPI_COMPARED && isnan(row->cor[k]))
       continue;
-    s.count++;
-    total += x->weight;
-    squares += x->weight * x->weight;
-    mean += (x->of[k] - mean) * x->weight / total;
+    aspi_scatter_about(row, k, mean, sums);
+    s.count += (size_t)row->rows;
+    total += weight;
+    squares += each * weight;
+    mean += sums[0] * each / total;
   }
   for (size_t i = 0; i < side->count; i++) {
-    double off = side->impacts[i].of[k] - mean, u = isnan(off) ? 0 : off * off;
-    second += side->impacts[i].weight * u;
-    fourth += side->impacts[i].weight * u * u;
+    const aspi_scatter_row *row = side->impacts[i].row;
+    if (k < ASPI_COMPARED && isnan(row->cor[k]))
+      continue;
+    aspi_scatter_about(row, k, mean, sums);
+    second += side->impacts[i].weight * sums[1];
+    fourth += side->impacts[i].weight * sums[3];
   }
   if (s.count > 0) {
     s.mean = mean;
@@ -45,13 +50,16 @@ void aspi_side_describe(aspi_side *side) {
   for (int k = 0; k < ASPI_QUANTITIES; k++)
     side->of[k] = describe(side, k);
   for (size_t i = 0; i < side->count; i++) {
-    const aspi_weighted *x = &side->impacts[i];
-    double n = x->of[COR_N] - side->of[COR_N].mean, t = x->of[COR_T] - side->of[COR_T].mean;
+    const aspi_scatter_row *row = side->impacts[i].row;
+    double weight = side->impacts[i].weight, sums[COR_BOTH][4];
+    for (int k = 0; k < COR_BOTH; k++)
+      aspi_scatter_about(row, k, side->of[k].mean, sums[k]);
+    double n = row->cor[COR_N] - side->of[COR_N].mean, t = row->cor[COR_T] - side->of[COR_T].mean;
     if (isnan(n + t))
       continue;
-    product += x->weight * n * t;
-    square[COR_N] += x->weight * n * n;
-    square[COR_T] += x->weight * t * t;
+    product += weight * (row->product + n * sums[COR_T][0] + t * row->power[COR_N][0]);
+    square[COR_N] += weight * sums[COR_N][1];
+    square[COR_T] += weight * sums[COR_T][1];
   }
   double both = sqrt(square[COR_N] * square[COR_T]);
   side->correlation = both > 0 ? product / both : 0;
@@ -92,7 +100,7 @@ static double add_difference(aspi_score *score, double difference, double error)
 }
 
 /* Adds what two differences of that correlation have in common. */
-static void add_pair(aspi_score *score, const double z[COR_BOTH], double correlation) {
+static void add_pair(aspi_score *score, const double z[], double correlation) {
   if (fabs(z[COR_N]) > 0 && fabs(z[COR_T]) > 0) {
     score->scatter += 2 * correlation * correlation;
     score->shift += 2 * correlation * z[COR_N] * z[COR_T];
@@ -100,8 +108,8 @@ static void add_pair(aspi_score *score, const double z[COR_BOTH], double correla
 }
 
 void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *data) {
-  double means[COR_BOTH] = {0, 0}, sds[COR_BOTH] = {0, 0}, correlation = model->correlation;
-  for (int k = 0; k < COR_BOTH; k++) {
+  double means[ASPI_COMPARED] = {0}, sds[ASPI_COMPARED] = {0}, correlation = model->correlation;
+  for (int k = 0; k < ASPI_COMPARED; k++) {
     const aspi_sample *m = &model->of[k], *d = &data->of[k];
     if (data->impacts && !(d->size >= ASPI_SCORED_LEAST))
       continue;

@@ -11,12 +11,14 @@
 /* Fewer single impacts than this tell no standard error to divide by. */
 enum { ASPI_SCORED_LEAST = 10 };
 
-/* The quantities of an impact: both coefficients, and 1 for a deposit, 0 for a rebound. */
-enum { ASPI_DEPOSITS = COR_BOTH, ASPI_QUANTITIES };
+/* The quantities of an impact: its numbers that are compared, and 1 for a deposit, 0 for a rebound.
+ */
+enum { ASPI_DEPOSITS = ASPI_COMPARED, ASPI_QUANTITIES };
 
-/* An impact with its weight; a coefficient is NAN where there is none. */
+/* A row of impacts, and the weight of each of them. */
 typedef struct aspi_weighted {
-  double of[ASPI_QUANTITIES], weight;
+  const aspi_scatter_row *row;
+  double weight;
 } aspi_weighted;
 
 /* A sample; NAN where it is too small for a number. size: effective sample size (Kish). _se are

@@ -108,7 +108,11 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
   asp_error error;
   const cli_option *samples = cli_get(call, "samples");
   double width = cli_number(cli_get(call, "bin"), 0.1, 90);
-  c->data = cli_scatter_read_data(call, path);
+  c->data = cli_scatter_read_data(call, path, NULL);
+  if (c->data.has_angle)
+    cli_bad_usage("%s: angles of rebounds alone; 'calibrate' needs coefficients or speeds beside "
+                  "them",
+                  path);
   c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
   asp_code code = aspi_calibration_take_data(c, width, &error);
   if (code == ASP_EARG)

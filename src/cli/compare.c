@@ -9,13 +9,16 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "deposits"};
+static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "alpha2_deg", "deposits"};
 
 /* Width of bins in degrees, for impacts that were not measured repeatedly at the same places. The
  * tolerances for matching model impacts to a measurement: degrees, relative speed, relative size.
  */
 #define WIDTH "10"
 #define FAR "2,0.1,0.1"
+
+/* With more places than this, impacts alone were not measured again and again. */
+enum { PLACES_MOST = 1 << 14 };
 
 /* ---- output ---- */
 
@@ -28,9 +31,9 @@ static void print_bin(FILE *out, const aspi_comparison *c, const aspi_compare_bi
   const aspi_sample *m = &b->model.of[k], *d = &b->data.of[k];
   cli_row(out, "%s,%.6g,%g,%g,%.6g,%.6g,", names[k], b->degrees, b->from, b->to, b->v1,
           b->d_p * 1e6);
-  print_side(out, m, (double)m->count, k < COR_BOTH);
+  print_side(out, m, (double)m->count, k < ASPI_COMPARED);
   double n = c->data.means ? c->data.rows[b->first].n : c->names[1] ? (double)d->count : NAN;
-  print_side(out, d, n, k < COR_BOTH);
+  print_side(out, d, n, k < ASPI_COMPARED);
   fputs(",\n", out);
 }
 
@@ -43,14 +46,14 @@ static const char note[] =
 
 static void print_all(FILE *out, const aspi_comparison *c) {
   fputs(note, out);
-  fprintf(out, "# %zu rebounds, %zu deposits\n", c->impacts.count - c->impacts.deposits,
+  fprintf(out, "# %.0f rebounds, %.0f deposits\n", c->impacts.impacts - c->impacts.deposits,
           c->impacts.deposits);
   fputs("quantity,alpha1_deg,alpha_from_deg,alpha_to_deg,v1_m_s,dp_um,model_n,model_mean,"
         "model_mean_se,model_sd,model_sd_se,data_n,data_mean,data_mean_se,data_sd,data_sd_se,"
         "score,score_se\n",
         out);
-  for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : COR_BOTH); k++)
-    for (size_t i = 0; i < c->count; i++)
+  for (int k = 0; k < (c->data.has_outcome ? ASPI_QUANTITIES : ASPI_COMPARED); k++)
+    for (size_t i = 0; i < c->count && (k != REBOUND_ANGLE || c->data.has_angle); i++)
       print_bin(out, c, &c->bins[i], k);
   if (c->names[1])
     cli_row(out, "score,,,,,,,,,,,,,,,,%.6g,%.6g\n", c->score.value, c->score.se);
@@ -59,7 +62,7 @@ static void print_all(FILE *out, const aspi_comparison *c) {
 /* Warns of bins that have only one of both, and fails where there is none with both. */
 static void check_bins(const aspi_comparison *c) {
   size_t both = 0;
-  for (int k = 0; k < COR_BOTH; k++) {
+  for (int k = 0; k < ASPI_COMPARED; k++) {
     size_t no_model = 0, with_data = 0;
     for (size_t i = 0; i < c->count; i++) {
       bool data = isfinite(c->bins[i].data.of[k].mean);
@@ -102,53 +105,39 @@ static void warn_unknown(const aspi_comparison *c) {
 
 /* ---- the command ---- */
 
-/* Impacts as the data look at them. */
-static void take_view(aspi_comparison *c) {
-  if (c->data.view != ASPI_IN_SPACE)
-    return;
-  size_t missing = 0;
-  for (size_t i = 0; i < c->impacts.count; i++) {
-    aspi_scatter_row *p = &c->impacts.rows[i];
-    missing += isfinite(p->cor[COR_N] + p->cor[COR_T]) && isnan(p->cor_t_space);
-    p->cor[COR_T] = p->cor_t_space;
-  }
-  if (missing > 0)
-    cli_bad_usage("%s: the data are of rebounds in space, and these impacts have no speed v2 or "
-                  "cor_v_space to compare with",
-                  c->names[0]);
-}
-
-static void make_bins(aspi_comparison *c, cli_call *call) {
-  bool given = cli_value(call, "bin");
+static void make_bins(aspi_comparison *c, double width, bool given) {
   asp_error error;
-  cli_default(call, "bin", WIDTH);
-  cli_must(!aspi_compare_make_bins(c, cli_number(cli_get(call, "bin"), 0.1, 90), given, &error),
-           &error);
+  cli_must(!aspi_compare_make_bins(c, width, given, &error), &error);
 }
 
-static void table_impacts(aspi_comparison *c, cli_call *call) {
+static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool given) {
   asp_error error;
   static const char *const of_data[] = {"near", "columns", "from"};
   for (int i = 0; i < 3; i++)
     if (cli_is_set(call, of_data[i]))
       cli_bad_usage("--%s has no effect without DATA", of_data[i]);
-  c->impacts = cli_scatter_read_impacts(c->names[0]);
+  const aspi_apart apart = {.width = width, .places = given ? 0 : PLACES_MOST};
+  c->impacts = cli_scatter_read_impacts(c->names[0], NULL, &apart);
   c->data = c->impacts;
   c->data.has_outcome = true;
-  make_bins(c, call);
+  make_bins(c, width, given);
   cli_must(!aspi_compare_fill(c, NULL, &error), &error);
 }
 
-static void compare_with(aspi_comparison *c, cli_call *call) {
+static void compare_with(aspi_comparison *c, cli_call *call, double width, bool given) {
+  static const aspi_apart places = {.width = 0};
+  aspi_apart apart;
   asp_error error;
-  c->impacts = cli_scatter_read_impacts(c->names[0]);
   double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
   cli_few(cli_get(call, "near"), 0, 90, 3, far);
-  c->data = cli_scatter_read_data(call, c->names[1]);
+  const aspi_compare_reach reach = {far[0], far[1], far[2]};
+  c->data = cli_scatter_read_data(call, c->names[1], &places);
+  cli_must(!aspi_compare_apart(&c->data, &reach, &apart, &error), &error);
+  c->impacts = cli_scatter_read_impacts(c->names[0], &c->data, &apart);
   warn_unknown(c);
-  take_view(c);
-  make_bins(c, call);
-  cli_must(!aspi_compare_fill(c, &(aspi_compare_reach){far[0], far[1], far[2]}, &error), &error);
+  make_bins(c, width, given);
+  cli_must(!aspi_compare_fill(c, &reach, &error), &error);
+  aspi_compare_apart_free(&apart);
   check_bins(c);
   warn_no_score(c);
 }
@@ -161,7 +150,10 @@ static void run(cli_call *call) {
     cli_bad_usage("compare: IMPACTS or IMPACTS and DATA are expected, one file or two; see "
                   "'asperity compare --help'");
   aspi_comparison c = {.names = {call->words[0], alone ? NULL : call->words[1]}};
-  (alone ? table_impacts : compare_with)(&c, call);
+  bool given = cli_value(call, "bin");
+  cli_default(call, "bin", WIDTH);
+  (alone ? table_impacts : compare_with)(&c, call, cli_number(cli_get(call, "bin"), 0.1, 90),
+                                         given);
   FILE *out = cli_table_open(call, NULL);
   print_all(out, &c);
   cli_table_close(call, out, "compare");

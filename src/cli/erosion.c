@@ -36,22 +36,16 @@ static int by_place(const void *left, const void *right) {
                             : (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
-static void add(cell *to, const cell *more) {
+static void add(void *of, const void *with) {
+  cell *to = of;
+  const cell *more = with;
   to->impacts += more->impacts;
   to->mass += more->mass;
 }
 
 /* Makes one cell of all of a triangle, in order. */
 static void put_together(wear *w) {
-  size_t kept = 0;
-  if (w->count > 0)
-    qsort(w->cells, w->count, sizeof *w->cells, by_place);
-  for (size_t i = 0; i < w->count; i++)
-    if (kept > 0 && by_place(&w->cells[kept - 1], &w->cells[i]) == 0)
-      add(&w->cells[kept - 1], &w->cells[i]);
-    else
-      w->cells[kept++] = w->cells[i];
-  w->count = kept;
+  w->count = aspi_put_together(w->cells, w->count, sizeof *w->cells, by_place, add);
 }
 
 static double worn_by_law(const wear *w, const double of[], double mass) {

@@ -63,10 +63,16 @@ static const struct {
     [POINT + COR_T] = {"cor_t e_t", RATIO, -LARGE, LARGE},
     [MEAN] = {"cor_n_mean e_n_mean", RATIO, -LARGE, LARGE},
     [MEAN + COR_T] = {"cor_t_mean e_t_mean", RATIO, -LARGE, LARGE},
+    [MEAN + REBOUND_ANGLE] = {"alpha2_plane_mean alpha2_mean rebound_angle_mean", ANGLE,
+                              -BELOW_MOST, 2 * RIGHT_ANGLE},
     [SD] = {"cor_n_sd cor_n_std e_n_sd e_n_std", RATIO, 0, LARGE},
     [SD + COR_T] = {"cor_t_sd cor_t_std e_t_sd e_t_std", RATIO, 0, LARGE},
+    [SD + REBOUND_ANGLE] = {"alpha2_plane_sd alpha2_sd rebound_angle_sd rebound_angle_std", ANGLE,
+                            0, RIGHT_ANGLE},
     [SE] = {"cor_n_se cor_n_sem e_n_se e_n_sem", RATIO, 0, LARGE},
     [SE + COR_T] = {"cor_t_se cor_t_sem e_t_se e_t_sem", RATIO, 0, LARGE},
+    [SE + REBOUND_ANGLE] = {"alpha2_plane_se alpha2_se rebound_angle_se rebound_angle_sem", ANGLE,
+                            0, RIGHT_ANGLE},
     [COUNT] = {"n", RATIO, 0, LARGE},
     [D_P] = {"dp d_p diameter particle_diameter", LENGTH, 0, LARGE},
     [RADIUS] = {"radius particle_radius", LENGTH, 0, LARGE},
@@ -197,9 +203,10 @@ static void take_choice(cli_scatter *t, const cli_option *choice) {
 
 /* Counts angles from the wall that the file counts from its normal, by its name or by the user. */
 static void take_normal(cli_scatter *t, const cli_option *from) {
-  static const int angles[] = {ALPHA1, ALPHA2 + ASPI_IN_PLANE, ALPHA2 + ASPI_IN_SPACE};
+  static const int angles[] = {ALPHA1, ALPHA2 + ASPI_IN_PLANE, ALPHA2 + ASPI_IN_SPACE,
+                               MEAN + REBOUND_ANGLE};
   bool chosen = from && cli_choice(from) == 1;
-  for (int i = 0; i < 3; i++) {
+  for (int i = 0; i < 4; i++) {
     int place = t->at[angles[i]];
     const char *name = place >= 0 ? t->table->column[place].plain : "";
     t->from_normal[angles[i]] = chosen || strstr(name, "normal");
@@ -296,12 +303,14 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
 #define FORMS                                                                                      \
   "impacts are columns alpha1,v1,alpha2_plane,v2_plane or alpha1,cor_v_plane and "                 \
   "cor_alpha_plane or alpha2_plane (one camera), both alike of _space, or v1_n,v1_t,v2_n,v2_t or " \
-  "v1_n,v2_n or cor_n,cor_t; means are cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd"
+  "v1_n,v2_n or cor_n,cor_t or alpha1,alpha2_plane alone; means are "                              \
+  "cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd or alpha2_plane_mean,alpha2_plane_sd"
 
 /* The columns that give the coefficients, in this order where there are several. */
 typedef struct form {
   bool means, points, components, normal; /* normal: components of it alone */
   aspi_rebound_view ratios, velocities;   /* ASPI_VIEWS: none */
+  aspi_rebound_view angles;               /* alone; the same */
 } form;
 
 static bool has(const cli_scatter *t, int column) {
@@ -317,13 +326,21 @@ static aspi_rebound_view view_of(const cli_scatter *t, int speed, int angle) {
 }
 
 static form find_form(cli_scatter *t) {
-  form f = {.means = has(t, MEAN) || has(t, MEAN + COR_T),
+  form f = {.means = has(t, MEAN) || has(t, MEAN + COR_T) || has(t, MEAN + REBOUND_ANGLE),
             .points = has(t, POINT) || has(t, POINT + COR_T),
             .components = has(t, V1_N) && has(t, V2_N) && has(t, V1_T) == has(t, V2_T),
             .normal = !has(t, V1_T),
             .ratios = view_of(t, COR_V, COR_ALPHA),
             .velocities = has(t, V1) ? view_of(t, V2, ALPHA2) : ASPI_VIEWS};
   bool impacts = f.points || f.components || f.ratios < ASPI_VIEWS || f.velocities < ASPI_VIEWS;
+  bool other = false; /* of the velocity */
+  for (int c = V2; c < V1_N; c++)
+    other = other || has(t, c);
+  int view = impacts || f.means || other ? ASPI_VIEWS : ASPI_IN_PLANE;
+  while (view < ASPI_VIEWS && !has(t, ALPHA2 + view))
+    view++;
+  f.angles = (aspi_rebound_view)view;
+  impacts = impacts || view < ASPI_VIEWS;
   if (!f.components)
     cli_scatter_need(t, ALPHA1,
                      "; it is the impact angle from the wall (--from normal turns those from its "
@@ -349,12 +366,14 @@ static aspi_scatter_row row_of(const form *f, const double v[]) {
                           .v1 = v[V1],
                           .d_p = isnan(v[D_P]) ? 2 * v[RADIUS] : v[D_P],
                           .n = v[COUNT]};
-  for (int k = 0; k < COR_BOTH; k++) {
-    row.cor[k] = v[(f->means ? MEAN : POINT) + k];
+  for (int k = 0; k < ASPI_COMPARED; k++) {
+    row.cor[k] = f->means ? v[MEAN + k] : k < COR_BOTH ? v[POINT + k] : NAN;
     row.sd[k] = v[SD + k];
     row.se[k] = v[SE + k];
   }
-  if (f->means || f->points)
+  if (f->angles < ASPI_VIEWS)
+    row.cor[REBOUND_ANGLE] = fabs(v[ALPHA2 + f->angles]);
+  if (f->means || f->points || f->angles < ASPI_VIEWS)
     return row;
   if (f->components) {
     double t1 = f->normal ? 0 : v[V1_T], t2 = f->normal ? 0 : v[V2_T];
@@ -380,9 +399,26 @@ static double cor_t_space(const double v[], const aspi_scatter_row *row) {
   return isnan(row->cor[COR_T]) ? NAN : sqrt(square < 0 ? 0 : square) / cos(alpha);
 }
 
+/* From both coefficients, in degrees. */
+static double rebound_angle(const aspi_scatter_row *row) {
+  double alpha = aspi_radians(row->degrees);
+  return aspi_degrees(atan2(row->cor[COR_N] * sin(alpha), row->cor[COR_T] * cos(alpha)));
+}
+
 static void add_row(aspi_scatter *s, aspi_scatter_row row) {
-  s->rows = cli_grow(s->rows, s->count, sizeof *s->rows);
+  s->impacts++;
   s->deposits += row.deposit;
+  row.rows = 1;
+  row.least = row.most = row.degrees;
+  if (s->apart) {
+    aspi_scatter_key(s, &row);
+    if (s->count > 0 && aspi_scatter_merge(&s->rows[s->count - 1], &row))
+      return;
+    if (s->count == s->room)
+      aspi_scatter_gather(s);
+    aspi_scatter_key(s, &row); /* which may be of an interval now */
+  }
+  s->rows = cli_grow(s->rows, s->count, sizeof *s->rows);
   s->rows[s->count++] = row;
 }
 
@@ -411,45 +447,56 @@ static int by_place(const void *left, const void *right) {
 static void read_rows(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
   const char *path = t->table->text.path;
   double v[SCATTER_COLUMNS];
-  size_t below = 0, empty = 0;
+  size_t below = 0, empty = 0, not_in_space = 0;
   while (cli_scatter_row(t, v)) {
     aspi_scatter_row row = row_of(f, v);
     double n = row.cor[COR_N];
     row.deposit = !f->means && (s->has_outcome ? v[OUTCOME] > 0 : n <= 0 && n >= 0);
     if (row.deposit)
-      row.cor[COR_N] = row.cor[COR_T] = NAN;
-    row.cor_t_space = cor_t_space(v, &row);
+      row.cor[COR_N] = row.cor[COR_T] = row.cor[REBOUND_ANGLE] = NAN;
+    if (!measured && s->view == ASPI_IN_SPACE) {
+      double in_space = cor_t_space(v, &row);
+      not_in_space += isfinite(row.cor[COR_N] + row.cor[COR_T]) && isnan(in_space);
+      row.cor[COR_T] = in_space;
+    }
     s->has_speed = s->has_speed || isfinite(row.v1);
     s->has_size = s->has_size || isfinite(row.d_p);
     below += row.cor[COR_N] < 0;
     if (measured)
       mend(t->table, &row);
-    if (s->has_outcome || isfinite(row.cor[COR_N]) || isfinite(row.cor[COR_T]))
+    else if (s->has_angle)
+      row.cor[REBOUND_ANGLE] = rebound_angle(&row);
+    if (s->has_outcome || isfinite(row.cor[COR_N]) || isfinite(row.cor[COR_T]) ||
+        isfinite(row.cor[REBOUND_ANGLE]))
       add_row(s, row);
     else
       empty++;
   }
+  if (not_in_space > 0)
+    cli_bad_usage("%s: the data are of rebounds in space, and these impacts have no speed v2 or "
+                  "cor_v_space to compare with",
+                  path);
   if (measured && below > 0)
     cli_warn("%s: %zu rebounds are below the wall, as by noise; they are mirrored at it", path,
              below);
   if (empty > 0)
-    cli_warn("%s: %zu of %zu rows have neither coefficient nor outcome and are left out", path,
-             empty, empty + s->count);
+    cli_warn("%s: %zu of %.0f rows have neither coefficient nor outcome and are left out", path,
+             empty, (double)empty + s->impacts);
 }
 
 /* Reads all rows, in order. */
-static aspi_scatter read(cli_scatter *t, bool measured) {
-  form f = find_form(t);
-  aspi_scatter s = {.means = f.means, .has_outcome = has(t, OUTCOME)};
-  bool plane = f.means || f.points || f.components;
-  s.view = plane ? ASPI_IN_PLANE : f.ratios < ASPI_VIEWS ? f.ratios : f.velocities;
-  read_rows(t, &f, measured, &s);
-  if (s.count > 0)
-    qsort(s.rows, s.count, sizeof *s.rows, by_place);
-  return s;
+static void read(cli_scatter *t, const form *f, bool measured, aspi_scatter *s) {
+  s->means = f->means;
+  s->has_outcome = has(t, OUTCOME);
+  read_rows(t, f, measured, s);
+  if (s->apart)
+    aspi_scatter_gather(s);
+  if (s->count > 0)
+    qsort(s->rows, s->count, sizeof *s->rows, by_place);
 }
 
-aspi_scatter cli_scatter_read_impacts(const char *path) {
+aspi_scatter cli_scatter_read_impacts(const char *path, const aspi_scatter *data,
+                                      const aspi_apart *apart) {
   cli_scatter t = cli_scatter_open(path, MESH);
   cli_scatter_need(&t, ALPHA1, "");
   if (t.at[POINT + COR_T] < 0)
@@ -457,19 +504,33 @@ aspi_scatter cli_scatter_read_impacts(const char *path) {
                      "; impacts are a ledger or what 'asperity cor' writes, and data stand behind "
                      "them");
   t.needed[POINT] = false; /* deposits have none */
-  aspi_scatter s = read(&t, false);
-  if (s.count == s.deposits)
-    cli_bad_usage("%s: no rebound in it (%zu deposits)", path, s.deposits);
+  form f = find_form(&t);
+  aspi_scatter s = {.apart = apart,
+                    .view = data ? data->view : ASPI_IN_PLANE,
+                    .has_angle = data && data->has_angle,
+                    .by_interval = apart->width > 0 && !apart->places};
+  read(&t, &f, false, &s);
+  if (!(s.impacts > s.deposits))
+    cli_bad_usage("%s: no rebound in it (%.0f deposits)", path, s.deposits);
   return s;
 }
 
-aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path) {
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path,
+                                   const aspi_apart *apart) {
   cli_scatter t = cli_scatter_open(path, MESH);
   const cli_option *choice = cli_get(call, "columns");
   if (choice->value)
     take_choice(&t, choice);
   take_normal(&t, cli_get(call, "from"));
-  aspi_scatter s = read(&t, true);
+  form f = find_form(&t);
+  bool plane = f.means || f.points || f.components, angle = has(&t, MEAN + REBOUND_ANGLE);
+  aspi_scatter s = {.apart = f.means ? NULL : apart,
+                    .has_angle = angle || f.angles < ASPI_VIEWS,
+                    .view = plane                       ? ASPI_IN_PLANE
+                            : f.ratios < ASPI_VIEWS     ? f.ratios
+                            : f.velocities < ASPI_VIEWS ? f.velocities
+                                                        : f.angles};
+  read(&t, &f, true, &s);
   if (s.count == 0)
     cli_bad_usage("%s: no row of data", path);
   return s;

@@ -22,11 +22,11 @@ enum {
   V1_T,
   V2_N,
   V2_T,
-  POINT, /* cor_n, cor_t */
-  MEAN = POINT + COR_BOTH,
-  SD = MEAN + COR_BOTH,
-  SE = SD + COR_BOTH,
-  COUNT = SE + COR_BOTH,
+  POINT,                   /* cor_n, cor_t */
+  MEAN = POINT + COR_BOTH, /* and of the rebound's angle, here and below */
+  SD = MEAN + ASPI_COMPARED,
+  SE = SD + ASPI_COMPARED,
+  COUNT = SE + ASPI_COMPARED,
   D_P,
   RADIUS,
   OUTCOME, /* 1 for a deposit, else 0 */
@@ -67,10 +67,12 @@ void cli_scatter_need(cli_scatter *table, int column, const char *hint);
  * file, which is closed. */
 bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
 
-/* Impacts of a model or a simulation, which have coefficients; and measured data of any form. Both
- * in order of angle, speed and size. */
-aspi_scatter cli_scatter_read_impacts(const char *path);
-aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path);
+/* Impacts of a model or a simulation, which have coefficients, as `data` has them (NULL: none); and
+ * measured data of any form. Both in order of angle, speed and size, and put together but for what
+ * is apart (NULL: a row for each; never means). */
+aspi_scatter cli_scatter_read_impacts(const char *path, const aspi_scatter *data,
+                                      const aspi_apart *apart);
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path, const aspi_apart *apart);
 
 /* Options of a command that reads such data. */
 #define SCATTER_OPTIONS                                                                            \
@@ -85,15 +87,15 @@ aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path);
   "DATA is CSV (- is standard input). A name may carry its unit: alpha1_deg or alpha1_rad,\n"      \
   "v1_m_s, dp_um (or _mm, _m), also in brackets, or in a line of its own below the names. An\n"    \
   "angle without a unit is in degrees, with a warning, a speed in m/s; a length must have one.\n"  \
-  "impact_angle, alpha_in, theta_i are alpha1, rebound_angle, alpha_out, theta_r alpha2_plane, \n" \
-  "v_in and v_out v1 and v2_plane. Titles and `sep=;` may precede the names; e_n and e_t are "     \
-  "cor_n and cor_t, _std and _sem are\n"                                                           \
-  "_sd and _se, radius is half of dp. The command takes these columns, where they are there:\n"    \
+  "impact_angle, alpha_in, theta_i are alpha1, rebound_angle, alpha_out, theta_r alpha2_plane,\n"  \
+  "v_in and v_out v1 and v2_plane; e_n and e_t are cor_n and cor_t, _std and _sem are _sd and\n"   \
+  "_se, radius is half of dp. Titles and `sep=;` may precede the names. The command takes\n"       \
+  "these columns, where they are there:\n"                                                         \
   "  impacts  alpha1, v1, alpha2_plane, v2_plane | alpha1, cor_v_plane, cor_alpha_plane |\n"       \
-  "           v1_n, v1_t, v2_n, v2_t | v1_n, v2_n | alpha1, cor_n, cor_t; with outcome (rebound "  \
-  "or\n"                                                                                           \
-  "           deposit), cor_n_se, cor_t_se\n"                                                      \
-  "  means    alpha1, cor_n_mean, cor_t_mean; with cor_n_sd, cor_t_sd, cor_n_se, cor_t_se, n\n"    \
+  "           v1_n, v1_t, v2_n, v2_t | v1_n, v2_n | alpha1, cor_n, cor_t |\n"                      \
+  "           alpha1, alpha2_plane; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
+  "  means    alpha1, cor_n_mean, cor_t_mean | alpha1, alpha2_plane_mean; with n and _sd\n"        \
+  "           or _se in place of _mean\n"                                                          \
   "and v1, dp with either. Give a polynomial by points on it, as means. _plane is the velocity\n"  \
   "in the plane of incidence, as one camera sees it; that in space is alpha2_space (0 to 90\n"     \
   "degrees from the wall), v2_space, cor_v_space and cor_alpha_space.\n"                           \

@@ -18,10 +18,15 @@ namespace asperity {
 /* A motion that is known for all times. Time counts from where it began. */
 class Drive {
 public:
-  Drive() : kind_(REST), a_(), axis_(), period_(0) {}
+  /* The value of an equal-style variable now; throws an Error. */
+  typedef std::function<double(const std::string &name)> Variables;
 
-  /* Reads `linear VX VY VZ`, `wiggle AX AY AZ PERIOD` or `rotate PX PY PZ AX AY AZ PERIOD`.
-   * `geometry` grows by what was read. Throws an Error. */
+  explicit Drive(const Variables &variables)
+      : kind_(REST), a_(), axis_(), period_(0), variables_(variables) {}
+
+  /* Reads `linear VX VY VZ`, `wiggle AX AY AZ PERIOD`, `rotate PX PY PZ AX AY AZ PERIOD` or
+   * `variable v_DX v_DY v_DZ v_VX v_VY v_VZ`. `geometry` grows by what was read. Throws an Error.
+   */
   void parse(Words &words, std::string &geometry);
 
   bool moves() const {
@@ -30,18 +35,36 @@ public:
   void move(double time, Frame &frame, Twist &twist) const;
 
 private:
-  enum Kind { REST, LINEAR, WIGGLE, ROTATE };
+  enum Kind { REST, LINEAR, WIGGLE, ROTATE, VARIABLE };
+
+  void parse_variables(Words &words, std::string &geometry);
+
   Kind kind_;
   double a_[3];    /* velocity, amplitude, or a point of the axis */
   double axis_[3]; /* unit vector */
   double period_;
+  Variables variables_;
+  std::string names_[6]; /* of displacements and velocities, "" for 0 */
+};
+
+/* Where the triangles of a file are put: x becomes turn * (scale * x) + shift. */
+struct Placing {
+  double scale;
+  Frame frame;
+  std::string words;
+
+  Placing() : scale(1) {}
+
+  /* Takes the next of `scale S`, `shift X Y Z` and `turn X Y Z DEGREES`, about an axis through the
+   * origin, which acts behind those before it; false if it is none of them. Throws an Error. */
+  bool take(Words &next);
 };
 
 class DrivenMesh : public MeshShape {
 public:
   /* Rank 0 reads the triangles; see MeshShape::share() for who keeps them. Collective. Throws an
    * Error. */
-  DrivenMesh(MPI_Comm world, const std::string &path, double scale, const Drive &drive);
+  DrivenMesh(MPI_Comm world, const std::string &path, const Placing &placing, const Drive &drive);
 
   size_t pieces() const {
     return aspi_tree_count(triangles());
@@ -63,7 +86,7 @@ private:
 
   Drive drive_;
   std::string path_;
-  double scale_;
+  Placing placing_;
   double origin_;
   bool has_begun_;
 };
@@ -73,10 +96,11 @@ private:
  * (or, of a binary file, the triangle), what stands there, and what must. */
 void read_stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take);
 
-/* Reads `FILE`, and behind it, in any order, `type T`, `scale S`, `move ...` and `map N FILE`.
- * type: the last of `types` where the words name none. */
+/* Reads `FILE`, and behind it, in any order, `type T`, `move ...` and what places it. type: the
+ * last of `types` where the words name none. */
 std::unique_ptr<DrivenMesh> read_driven_mesh(MPI_Comm world, Words &words, int types, int &type,
-                                             std::string &geometry);
+                                             std::string &geometry,
+                                             const Drive::Variables &variables);
 
 } // namespace asperity
 

@@ -15,6 +15,7 @@
 #include "modify.h"
 #include "output.h"
 #include "update.h"
+#include "variable.h"
 
 #include "bodies_lammps.h"
 #include "driven_mesh.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -168,12 +170,22 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
                        name); /* by name, so that its motion is saved */
   } else if (words.take("stl")) {
     std::unique_ptr<asperity::DrivenMesh> mesh =
-        asperity::read_driven_mesh(world, words, atom->ntypes, p_->type, geometry);
+        asperity::read_driven_mesh(world, words, atom->ntypes, p_->type, geometry,
+                                   [this](const std::string &name) { return value_of(name); });
     p_->mesh = mesh.get();
     p_->wall.add_shape(std::move(mesh), p_->type, p_->mesh->pieces(), "stl");
     p_->print("fix " + p_->id() + " wall/rebound: " + p_->mesh->describe());
   } else if (words.is_one_of(primitives)) {
+    static const char MOVES[] =
+        "; a wall that moves is a region of style block or plane with 'move', or 'stl FILE' with "
+        "'move'";
+    if (words.left() > 1 && strncmp(words.rest()[1], "v_", 2) == 0)
+      throw asperity::Error("the place of '" + words.word("") + "' is '" + words.word("") +
+                            "'; it must be a number" + MOVES);
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
+    if (words.is_one_of("wiggle move rotate"))
+      throw asperity::Error("'" + words.word("") + "' is unknown behind '" + geometry + "'" +
+                            MOVES);
     p_->type = read_type(words);
     geometry += text(" type %d", p_->type);
     if (!words.done() && (words.is("NULL") || isdigit(words.rest()[0][0])))
@@ -184,6 +196,19 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
   } else
     throw asperity::Error("the wall is '" + words.word("the wall") + "'; it must be one of " +
                           shapes);
+}
+
+/* Of a variable that moves the wall. */
+double FixWallRebound::value_of(const std::string &name) const {
+  const int at = input->variable->find(name.c_str());
+  if (at < 0 || !input->variable->equalstyle(at))
+    throw asperity::Error("variable '" + name + "' of 'move variable' " +
+                          (at < 0 ? "does not exist" : "is not of equal style"));
+  const double value = input->variable->compute_equal(at);
+  if (!std::isfinite(value))
+    throw asperity::Error(
+        text("variable '%s' of 'move variable' is %g; it must be finite", name.c_str(), value));
+  return value;
 }
 
 /* The last type where the script names none. */

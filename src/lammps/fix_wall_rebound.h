@@ -55,6 +55,7 @@ private:
 
   asperity::WallFix<EngineOfLammps> &wall_fix() override;
   void read_geometry(asperity::Words &words, std::string &geometry);
+  double value_of(const std::string &name) const;
   int read_type(asperity::Words &words) const;
 
   Parts *p_; /* what the wall is made of, with the numbers of each atom */

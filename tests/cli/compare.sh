@@ -40,6 +40,21 @@ done
 sed 1s/alpha1_deg/alpha1/ velocities > unnamed
 "$asperity" compare model unnamed --near 90,9,9 2>&1 > /dev/null | grep -q "unit of column 'alpha1' is not stated.*degrees" || die "compare: an angle without a unit"
 
+# Angles of rebounds without speeds, one by one and as means in radians: awk's means come out, and the true model fits.
+"$asperity" cor $wall seed 21 --angles 20:60:20 --samples 2000 -o truth
+"$asperity" cor $wall seed 22 --angles 20:60:20 --samples 2000 -o model
+awk -F, '/^#/ { next } !n++ { print "alpha1_deg,Rebound angle (deg)"; next } $10 == "rebound" { print $3 "," $3 * $7 }' truth > angles
+awk -F, -v rad=57.29577951308232 'NR > 1 { n[$1]++; s[$1] += $2; q[$1] += $2 ^ 2 } END { print "alpha1_deg,alpha2_plane_mean_rad,alpha2_plane_sd_rad,n"
+  for (a in n) printf "%s,%.12g,%.12g,%d\n", a, s[a] / n[a] / rad, sqrt((q[a] - s[a] ^ 2 / n[a]) / (n[a] - 1)) / rad, n[a] }' angles > angles.means
+for data in angles angles.means; do
+  "$asperity" compare model $data > got; fits got || die "compare: $data: $(cat got)"
+  awk -F, -v rad=57.29577951308232 'NR == FNR { mean[$1] = $2 * rad; sd[$1] = $3 * rad; next } $1 == "alpha2_deg" { n++
+    if (!(($13 - mean[$2]) ^ 2 < 1e-8 && ($15 - sd[$2]) ^ 2 < 1e-8 && ($8 - $13) ^ 2 < 16 * ($9 ^ 2 + $14 ^ 2))) bad++ } END { exit n != 3 || bad }' angles.means got || die "compare: $data: other means: $(cat got)"
+done
+"$asperity" cor $wall friction 0.6 seed 22 --angles 20:60:20 --samples 2000 -o other
+"$asperity" compare other angles > got; differs got || die "compare: angles: another law: $(cat got)"
+refuses 2 "needs coefficients" -- calibrate angles.means surface sigma fit materials quartz al-2024
+
 # The true model, of a wall that throws to the side: rebounds as seen in the plane of incidence, and in space, from files that
 # say which, by a ledger too. A mixture of both, as a ledger has it, is not taken without a word, and is no data.
 "$asperity" cor $wall seed 11 --angles 10,30,60 --samples 2000 -o model

@@ -18,6 +18,13 @@ grep -v '^#' out | awk -F, 'NR > 1 && $1 == "cor_n" && $3 > 0 && $4 < 90 { n++
 [ "$(cut -d' ' -f1 verdict)" -gt 900 ] && [ "$(cut -d' ' -f2 verdict)" = 0 ] || die "compare with means: $(cat verdict)"
 limited compare impacts impacts --bin 0.1 --near 0.0001 > out || die "compare with points"
 [ "$(awk -F, '$1 == "cor_n" && ($8 - $13) ^ 2 < 1e-10 && $10 == $15' out | wc -l)" = 900 ] || die "compare with points: $(head -n 5 out)"
+# Its memory does not grow with the impacts, and ten times as many have the same means.
+for k in 1 2 3 4 5 6 7 8 9 10; do tail -n +$((k > 1 ? 2 : 1)) impacts; done > ten
+for data in means ""; do
+  limited compare impacts $data | grep -v '^#' | awk -F, '{ print $1 "," $2 "," $8 }' | grep -v score > wanted
+  (ulimit -v 100000; OMP_NUM_THREADS=1 "$asperity" compare ten $data > out) || die "compare: memory, with '$data'"
+  grep -v '^#' out | awk -F, '{ print $1 "," $2 "," $8 }' | grep -v score | cmp - wanted || die "compare: ten times the impacts, with '$data'"
+done
 
 # cor: the memory of a summary does not grow with the impacts
 (ulimit -v 600000; OMP_NUM_THREADS=1 "$asperity" cor surface sigma 5 --angles 30,60 --samples 2000000 --summary -o /dev/null) || die "cor --summary"

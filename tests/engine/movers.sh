@@ -68,6 +68,71 @@ engine 1 stretch.in
 sed 's/remap v/remap x/' stretch.in > carry.in
 refuses 2 carry.in "fix deform (id strain)"
 
+# A plate in z = 0, put elsewhere, and a grain of radius 5e-6 that flies along x from the origin. Words act in their order.
+plate 2 1 1.9e-3 > plate.stl
+placed() { # WORDS, the place of the wall on the x axis, its angle to it
+  { echo "$head
+boundary f f f
+region box block -2e-3 2e-3 -2e-3 2e-3 -2e-3 2e-3 units box
+create_box 1 box
+neighbor 5e-5 bin
+create_atoms 1 single 0 0 0 units box
+set group all diameter 1e-5 density 2650
+velocity all set 10 0 0 units box
+fix move all nve/sphere
+fix wall all wall/rebound stl plate.stl $1 rebound constant 0.5 1 deposit off ledger 1 file rows.csv columns full
+run 50"; } > placed.in
+  rm -f rows.csv
+  engine 1 placed.in
+  check_rows rows.csv "len(a) == 1 and abs(r.alpha1_deg - $3) < 1e-5 and abs(r.time / (($2 - 5e-6 / math.sin(math.radians($3))) / 10) - 1) < 1e-6" "stl $1: $(rows rows.csv)"
+}
+placed 'turn 0 1 0 90 shift 4e-4 0 0' 4e-4 90
+placed 'shift 0 0 4e-4 turn 0 2 0 90' 4e-4 90
+placed 'shift 0 0 1e-4 scale 4 turn 0 1 0 90' 4e-4 90
+placed 'scale 4 turn 0 0 1 45 turn 0 1 0 60 shift 3e-4 0 0' 3e-4 60
+
+# A plate that variables move up, at V and as a wiggle, under a grain at rest at z = 4e-5: it has (1 + 0.5) V after the
+# impact at t = 3.5e-5/V, and the wiggle is that of `move wiggle`. In pieces and over a restart it is the same.
+moved() { # NAME, MOTION, what runs, the restart that it begins from
+  { if [ -n "${4:-}" ]; then echo "read_restart $4"; else echo "$head
+boundary f f f
+$box
+create_atoms 1 single 0 0 4e-5 units box
+create_atoms 1 single 5e-4 1e-4 3e-5 units box
+create_atoms 1 single -5e-4 1e-4 3.2e-4 units box
+set group all diameter 1e-5 density 2650
+group late id 3
+velocity late set 0 0 -8 units box"; fi
+    echo "$( [ -n "${4:-}" ] && echo "$head" | grep -v atom_ | grep -v units)
+variable up equal 10*step*dt
+variable rate equal 10
+variable dz equal 4e-5*sin(2*PI*step*dt/2e-5)
+variable vz equal 4e-5*2*PI/2e-5*cos(2*PI*step*dt/2e-5)
+fix move all nve/sphere
+fix wall all wall/rebound stl plate.stl shift 0 0 -1e-5 shift 0 0 1e-5 move $2 rebound constant 0.5 1 deposit off ledger 1 file $1.csv columns full
+thermo 1
+variable v equal vz[1]
+thermo_style custom step v_v
+$3"; } > $1.in
+  engine 1 $1.in
+}
+moved up 'variable NULL NULL v_up NULL NULL v_rate' 'run 20'
+check_rows up.csv "abs(a[0].time / 2.5e-6 - 1) < 1e-9 and abs(a[1].time / 3.5e-6 - 1) < 1e-9 and all(abs(k.v1z + 10) < 1e-9 and abs(k.v2z - 5) < 1e-9 for k in a[:2])" "a plate at 10 m/s: $(rows up.csv)"
+grep -Eq '^ *20 +15 *$' up.in.screen || die "a grain at rest is not at 15 m/s: $(tail -n 3 up.in.screen)"
+moved wiggle 'wiggle 0 0 4e-5 2e-5' 'run 60'
+variables='variable NULL NULL v_dz NULL NULL v_vz'
+moved whole "$variables" 'run 60'
+near wiggle.csv whole.csv 'time v1z v2z' 1e-9
+[ "$(count_rows whole.csv)" -ge 3 ] || die "the wiggle has $(count_rows whole.csv) impacts"
+moved pieces "$variables" 'run 7
+run 23
+write_restart half.restart
+run 30'
+same whole.csv pieces.csv "a mesh moved by variables, in pieces"
+cp pieces.csv rest.csv # which is cut to what the restart file counts
+moved rest "$variables" 'run 30' half.restart
+same whole.csv rest.csv "a mesh moved by variables, over a restart"
+
 # Both engines, in the language of LIGGGHTS.
 scene() { # words of `create_atoms`, each a grain
   head_of si

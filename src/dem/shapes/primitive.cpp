@@ -196,8 +196,11 @@ std::unique_ptr<Shape> asperity::read_primitive(Words &words, std::string &geome
   if (!plane) {
     if (!(first > 0))
       throw Error(text("the cylinder's radius is %g; it must be > 0", first));
-    center[(a + 1) % 3] = words.number("the cylinder's axis");
-    center[(a + 2) % 3] = words.number("the cylinder's axis");
+    const std::string what =
+        text("the axis of '%s R %c %c'", style.c_str(), axes[static_cast<size_t>(a + 1) % 3],
+             axes[static_cast<size_t>(a + 2) % 3]);
+    for (int k = 1; k < 3; k++)
+      center[(a + k) % 3] = words.number(what.c_str());
   }
   geometry = style + " " + setting(first);
   for (int k = 1; !plane && k < 3; k++)
