@@ -70,6 +70,9 @@ struct Wall {
    * throw an Error if they fail. */
   std::vector<char> save();
   void restore(const char *record);
+  bool is_restored() const { /* before the first run */
+    return !shape_now_.empty();
+  }
 
 private:
   void check_speeds(const Spheres &spheres);

@@ -1,20 +1,17 @@
-/* Code shared by the LIGGGHTS and LAMMPS fixes, as templates over the engine's classes: Program is
- * the class that has all others, Fix the base class of its fixes. The rest is in each engine's
- * room.
+/* What the LIGGGHTS and LAMMPS fixes share and must know the engine's classes, as templates over
+ * them: Program is the class that has all others, Fix the base class of its fixes. What needs none
+ * of them is in run.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_WALL_FIX_H
 #define ASPERITY_DEM_WALL_FIX_H
 
-#include <stdio.h>
 #include <string.h>
 #include <string>
 #include <vector>
 
-#include "dem/engine.h"
-#include "dem/error.h"
 #include "dem/text.h"
-#include "dem/wall.h"
+#include "dem/run.h"
 
 namespace asperity {
 
@@ -87,62 +84,29 @@ protected:
   Fix *fix_;
 };
 
-/* The hooks of the fix. Host is an EngineOf, or a class derived from one. */
-template <class Host> class WallFix : public Host {
+/* The fix, but for its hooks. Host is an EngineOf, or a class derived from one. */
+template <class Host> class WallFix : public Host, public Run {
 public:
   typedef typename Host::FixOfEngine EngineFix;
 
   template <class Program>
-  WallFix(Program *program, EngineFix *fix) : Host(program, fix), wall(*this) {}
+  WallFix(Program *program, EngineFix *fix)
+      : Host(program, fix), Run(static_cast<const Engine &>(*this)) {}
 
-  Wall wall;
-
-  /* Ends the run with an error: of all ranks, or of this one alone in a step. */
-  virtual void fail(const std::string &what) const = 0;
-  virtual void fail_alone(const std::string &what) const = 0;
-  /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
-  virtual void set_rows() = 0;
-  /* The engine's bodies. */
-  virtual BodySource &bodies() = 0;
-  /* Moves the wall to the end of the step. */
-  virtual void begin_step() = 0;
   /* What is wrong with a fix that ties particles to bodies; "": nothing. True if a fix changes the
    * size or the shape of the box. */
   virtual std::string body_error(const EngineFix *fix) const = 0;
   virtual bool changes_box(const EngineFix *fix) const = 0;
 
-  Spheres spheres() {
-    Spheres s = Host::spheres();
-    const BodySource &of = bodies();
-    if (!of.any())
-      return s;
-    masks_.assign(s.mask, s.mask + s.n);
-    for (int i = 0; i < s.n; i++)
-      if (of.has(i))
-        masks_[static_cast<size_t>(i)] = 0;
-    s.mask = masks_.data();
-    return s;
+  Spheres all_spheres() const override {
+    return Host::spheres();
   }
-
-  /* At the beginning of a run, and after particles have moved between ranks. Collective. */
-  void list_bodies(bool begins) {
-    if (!leads() || !bodies().any())
-      return;
-    bodies().list(steppers(), begins);
-    body_rows_.reset(Host::spheres(), siblings_.size());
+  using Run::spheres;
+  Box box() const override {
+    return Host::box();
   }
-
-  /* An Error is thrown on all ranks; any other exception may be local, so abort. */
-  template <class Action> void attempt(Action action) const {
-    try {
-      action();
-    } catch (const OutOfMemory &wrong) {
-      fail_alone(message_of(wrong));
-    } catch (const Error &wrong) {
-      fail(message_of(wrong));
-    } catch (const std::exception &wrong) {
-      fail_alone(message_of(wrong));
-    }
+  int group_bit() const override {
+    return this->fix_->groupbit;
   }
 
   /* Declares the fix's outputs to the engine; call when its wall is known. */
@@ -154,7 +118,7 @@ public:
     fix->size_array_cols = Books::N_TOTALS;
     fix->global_freq = 1;
     fix->extscalar = fix->extvector = fix->extarray = 1;
-    fix->restart_global = 1;
+    fix->restart_global = fix->restart_peratom = fix->create_attribute = 1;
     fix->nevery = 1;
     fix->force_reneighbor = deletes();
     fix->next_reneighbor = -1;
@@ -168,12 +132,26 @@ public:
 
   /* Before a run. wall_of: gives the WallFix of a fix, or NULL where that is no wall of this style.
    */
-  template <class Of> void find_siblings(Of wall_of) {
+  template <class Of> void find_walls(Of wall_of) {
     const auto *modify = this->program_->modify;
-    siblings_.clear();
+    walls_.clear();
     for (int i = 0; i < modify->nfix; i++)
-      if (WallFix *fix = wall_of(modify->fix[i]))
-        siblings_.push_back(fix);
+      if (Run *one = wall_of(modify->fix[i]))
+        walls_.push_back(one);
+  }
+
+  /* others: the atom style has particles that are no spheres. styles: those to use. */
+  void check_particles(bool others, const char *styles) const {
+    const auto *atom = this->program_->atom;
+    const auto *domain = this->program_->domain;
+    if (!atom->radius_flag || !atom->rmass_flag || others)
+      fail(text("the atom style is '%s'; particles must be spheres with a radius and a density, by "
+                "'atom_style %s'",
+                atom->atom_style, styles));
+    if (!atom->tag_enable)
+      fail("particles have no tags, which the draws depend on; use 'atom_modify id yes'");
+    if (domain->triclinic && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
+      fail("the box is triclinic and periodic; a periodic box must be orthogonal");
   }
 
   void check_run() const {
@@ -215,106 +193,15 @@ public:
                   "law");
   }
 
-  void warn_of_no_restart() const {
-    this->warn("the restart file has no data of this wall; its impact numbers begin at 1, and no "
-               "particle is stuck to it");
-  }
-
-  /* Before the fix is taken away, or defined anew: nobody should find out later. Collective. */
-  void report_loss() const {
-    const double stuck = wall.stuck(), impacts = wall.books.counter(Books::N_IMPACTS);
-    const std::string counts = text("its counts, of %.0f impacts, end with it", impacts);
-    if (stuck > 0)
-      this->warn(text("%.0f particles that are stuck to this wall are free from here on, also at a "
-                      "wall that takes its place; ",
-                      stuck) +
-                 counts);
-    else if (impacts > 0)
-      this->print("fix " + this->id() + " wall/rebound: the wall is taken away; " + counts);
-  }
-
-  /* At the set-up of a run; in the first step of one that has none (`run pre no`), since commands
-   * may have changed the groups of particles. */
-  void begin_run(bool is_setup) {
-    set_rows();
-    list_bodies(is_setup);
-    attempt([&] {
-      wall.begin_run(spheres(), this->fix_->groupbit, this->box());
-      wall.free_displaced(spheres(), is_setup ? 0 : this->program_->update->dt);
-    });
-    has_begun_ = true;
-  }
-
-  /* After the forces of a set-up, of which the engine has computed only its own. The last wall does
-   * it for all of them. Collective. */
-  void push_spheres() {
-    if (siblings_.back() != this)
-      return;
-    for (WallFix *fix : siblings_)
-      fix->set_rows();
-    push_again(steppers(), spheres());
-  }
-  void push_bodies() {
-    WallFix &first = *siblings_.front();
-    if (siblings_.back() != this || !first.bodies().any())
-      return;
-    if (Bodies *all = first.take_bodies()) {
-      push_again(steppers(), *all);
-      first.bodies().put(true, this->world());
-    }
-  }
-
-  /* All contacts of a step; the first wall works them out for all of them. */
-  void step() {
-    if (!leads())
-      return;
-    const auto *update = this->program_->update;
-    for (WallFix *fix : siblings_)
-      if (!fix->has_begun_)
-        fix->begin_run(false);
-    try {
-      const bool grow = particles_grow();
-      for (WallFix *fix : siblings_) {
-        fix->set_rows();
-        fix->wall.set_dt(update->ntimestep - 1, update->dt);
-        if (grow)
-          fix->wall.stepper.clear_ahead();
-        fix->begin_step();
-        if (!fix->is_checked_)
-          fix->check_use();
-      }
-      Bodies *all = take_bodies();
-      if (all && all->begins) /* the run */
-        warn_of_bodies(*all);
-      step_walls(steppers(), this->spheres(), all);
-    } catch (const std::exception &wrong) {
-      fail_alone(message_of(wrong));
-    }
-    if (bodies().any())
-      bodies().put(false, this->world());
-    for (WallFix *fix : siblings_) {
-      if (!fix->deletes())
-        continue;
-      int mine = fix->wall.stepper.has_to_delete,
-          any; /* all ranks must agree to build lists anew */
-      MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, this->program_->world);
-      if (any)
-        fix->fix_->next_reneighbor = this->program_->update->ntimestep;
-    }
-  }
-
   /* Takes away what the wall deletes; returns how many particles, of all ranks. */
   int64_t delete_particles() {
     auto *atom = this->program_->atom;
     if (!deletes())
       return 0;
-    set_rows();
-    BodySource &of = siblings_.front()->bodies();
-    if (of.any())
-      of.list_deleted(wall.stepper.body_rows, this->world());
+    list_deleted();
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
-      if (wall.stepper.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i))) {
+      if (is_deleted(i)) {
         atom->avec->copy(atom->nlocal - 1, i, 1);
         atom->nlocal--;
         mine++;
@@ -328,31 +215,6 @@ public:
       atom->map_set();
     }
     return all;
-  }
-
-  void hold() {
-    set_rows();
-    if (!leads())
-      return;
-    for (WallFix *fix : siblings_)
-      fix->set_rows();
-    Spheres s = this->spheres();
-    Bodies *all = take_bodies();
-    s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
-    if (all)
-      all->dt = s.dt;
-    end_walls(steppers(), s, all);
-    if (all) {
-      bodies().put(true, this->world());
-      body_rows_.show(steppers(), *all, this->world());
-    }
-    for (WallFix *fix : siblings_)
-      fix->wall.books.end_loads();
-  }
-
-  void end_run() {
-    has_begun_ = false;
-    attempt([&] { wall.end_run(); });
   }
 
   bool is_output() const {
@@ -370,56 +232,11 @@ public:
     }
   }
 
-  /* The record that an engine gives back does not say how long it is: its first bytes do. */
-  void write_record(FILE *file) {
-    std::vector<char> record;
-    attempt([&] { record = wall.save(); });
-    if (this->program_->comm->me != 0)
-      return;
-    const int size = static_cast<int>(record.size());
-    fwrite(&size, sizeof size, 1, file);
-    fwrite(record.data(), 1, record.size(), file);
-  }
-
-  void restore(const char *record) {
-    attempt([&] { wall.restore(record); });
-    is_restored_ = true;
-  }
-
-  bool deletes() const {
-    return wall.setup.model.deposit() == Model::DELETE;
-  }
-
-  bool is_restored() const {
-    return is_restored_;
-  }
-
-protected:
-  void warn_of_bodies(const Bodies &all) {
-    const size_t saved = is_continued_ ? wall.stepper.body_rows.restored() : 0;
-    is_continued_ = false;
-    for (const std::string &doubt : doubts_of(all, bodies().remedy(), saved, this->world()))
-      this->warn(doubt);
-  }
-
-  Bodies *take_bodies() {
-    return bodies().any() ? bodies().take(steppers()) : NULL;
-  }
-
-  std::vector<Stepper *> steppers() {
-    std::vector<Stepper *> all;
-    for (WallFix *fix : siblings_)
-      all.push_back(&fix->wall.stepper);
-    return all;
-  }
-
-  bool leads() const {
-    return siblings_.front() == this;
-  }
-
-  std::vector<WallFix *> siblings_; /* all walls of this style, the first one leads */
-
 private:
+  void renew_lists() override {
+    this->fix_->next_reneighbor = this->program_->update->ntimestep;
+  }
+
   /* True if a particle of any rank is in both groups. */
   bool shares_particles(const EngineFix *fix) const {
     const auto *atom = this->program_->atom;
@@ -430,19 +247,17 @@ private:
     return any;
   }
 
-  void check_use() {
+  void check_use() override {
     const auto *domain = this->program_->domain;
     auto *group = this->program_->group;
     const bool fixed = domain->nonperiodic < 2;
     const Bounds box = this->bounds();
     const int number = this->fix_->igroup;
-    is_checked_ = true;
     const bool empty = number > 0 && this->program_->atom->natoms > 0 && group->count(number) < 1;
     wall.check_use(fixed ? &box : NULL, empty ? group->names[number] : NULL);
   }
 
-  /* True if a fix has changed the size of particles since the contacts of the step before. */
-  bool particles_grow() const {
+  bool particles_grow() const override {
     const auto *modify = this->program_->modify;
     for (int i = 0; i < modify->nfix; i++) {
       const auto *fix = modify->fix[i];
@@ -452,13 +267,6 @@ private:
     }
     return false;
   }
-
-  bool has_begun_ = false;   /* begin_run() was called for this run */
-  bool is_restored_ = false; /* from a restart file */
-  bool is_checked_ = false;  /* check_use() was called, in the first step, in which shapes move */
-  bool is_continued_ = true; /* no step yet since a restart */
-  std::vector<int> masks_;   /* of the particles, 0 for those of bodies */
-  BodyRows body_rows_;       /* of the first wall, for all */
 };
 
 /* The functions of a fix that are the same in both engines. */

@@ -130,13 +130,6 @@ bool BodiesOfLammps::stand_before(const Fix *fix) const {
   return all;
 }
 
-std::string BodiesOfLammps::remedy() const {
-  const bool richardson = std::any_of(fixes_.begin(), fixes_.end(), [](const Fix *fix) {
-    return strcmp(fix->style, "rigid/small") == 0;
-  });
-  return richardson ? "fix rigid/nve/small, or a time step that is shorter" : "";
-}
-
 Fix *BodiesOfLammps::fix_of(int i) const {
   for (Fix *fix : fixes_)
     if (of(fix, &Small::bodytag)[i] > 0)

@@ -36,7 +36,6 @@ public:
   }
   void list(const std::vector<asperity::Stepper *> &walls, bool begins) override;
   asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
-  std::string remedy() const override;
 
   /* A Row of each particle to its ghosts. */
   int pack(int n, const int *list, double *to) const;

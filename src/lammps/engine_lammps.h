@@ -29,15 +29,6 @@ private:
   double radius_to_come(int type) const;
 };
 
-/* Checks for commands that a script must not have beside a wall: each function returns an error
- * message, or "". */
-std::string particles_error(LAMMPS *lmp);
-std::string units_error(const EngineOfLammps &engine);
-std::string box_error(LAMMPS *lmp);
-
-/* In two dimensions; when a run is set up. */
-std::string discs_error(LAMMPS *lmp);
-
 /* A check that the running LAMMPS is the one whose headers this was compiled with: a message about
  * the first difference, or "". */
 std::string check_library(LAMMPS *lammps);

@@ -74,18 +74,11 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
       : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix), last_step(0),
         steps(false), from_restart(false), owes_bodies(false), stuck(0), type(0) {}
 
-  void fail_at(const std::string &file, int line, const std::string &what) const {
-    program_->error->all(file, line, "Fix wall/rebound (id " + id() + "): " + what);
-  }
   void fail(const std::string &what) const override {
-    fail_at(FLERR, what);
+    program_->error->all(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
   }
   void fail_alone(const std::string &what) const override {
     program_->error->one(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
-  }
-  void check(const std::string &file, int line, const std::string &wrong) const {
-    if (!wrong.empty())
-      fail_at(file, line, wrong);
   }
   void set_rows() override {
     wall.set_rows(fix_->array_atom ? fix_->array_atom[0] : NULL);
@@ -98,6 +91,19 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   }
   bool changes_box(const Fix *fix) const override {
     return fix->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE);
+  }
+  void check_units() const {
+    const std::string units = this->units();
+    if (units != "si" && units != "cgs" && units != "micro" && units != "nano" && units != "lj")
+      fail("units are '" + units + "'; they must be " + known_units() +
+           ", or lj without materials");
+  }
+  void check_atoms() const {
+    const Atom *atom = program_->atom;
+    check_particles(atom->ellipsoid_flag || atom->line_flag || atom->tri_flag || atom->body_flag,
+                    "sphere");
+    if (program_->kokkos)
+      fail("the package KOKKOS is on, with which this fix was never tried; it must be off");
   }
   void begin_step() override;
   void follow_step(bigint last);
@@ -112,9 +118,8 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     lammps->citeme->add(CITE);
   p_->last_step = update->ntimestep;
   p_->from_restart = modify->nfix_restart_global > 0 || modify->nfix_restart_peratom > 0;
-  p_->check(FLERR, units_error(*p_));
-  p_->check(FLERR, particles_error(lmp));
-  p_->check(FLERR, box_error(lmp));
+  p_->check_units();
+  p_->check_atoms();
   p_->attempt([&] {
     std::string geometry;
     Words words(narg - 3, arg + 3);
@@ -131,7 +136,6 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
                             ", or the law one without materials, such as rebound constant");
   });
   p_->set_flags();
-  restart_peratom = create_attribute = 1;
   wd_header = 1;
   maxexchange = Wall::N_STATE + asperity::PACKED_MOST;
   comm_forward = BodiesOfLammps::SENT;
@@ -231,14 +235,13 @@ int FixWallRebound::setmask() {
  */
 
 void FixWallRebound::init() {
-  p_->find_siblings([](Fix *fix) {
-    FixWallRebound *sibling = dynamic_cast<FixWallRebound *>(fix);
-    return sibling ? sibling->p_ : NULL;
+  p_->find_walls([](Fix *fix) {
+    FixWallRebound *wall = dynamic_cast<FixWallRebound *>(fix);
+    return wall ? wall->p_ : NULL;
   });
   p_->check_run();
-  p_->check(FLERR, particles_error(lmp));
-  p_->check(FLERR, box_error(lmp));
-  if (p_->from_restart && !p_->is_restored())
+  p_->check_atoms();
+  if (p_->from_restart && !p_->wall.is_restored())
     p_->warn_of_no_restart();
   p_->from_restart = false;
   p_->follow_step(update->ntimestep);
@@ -263,7 +266,6 @@ void FixWallRebound::Parts::follow_step(bigint last) {
 void FixWallRebound::setup(int) {
   p_->steps = false;
   p_->check_movers();
-  p_->check(FLERR, discs_error(lmp));
   p_->attempt([this] {
     if (p_->region)
       p_->region->setup();
@@ -272,7 +274,7 @@ void FixWallRebound::setup(int) {
       p_->mesh->set_images(p_->box());
     }
   });
-  p_->begin_run(true);
+  p_->begin(true);
   p_->push_spheres();
   p_->owes_bodies = !p_->of_bodies.stand_before(this);
   if (!p_->owes_bodies)
@@ -317,7 +319,7 @@ void FixWallRebound::post_neighbor() {
 
 void FixWallRebound::end_of_step() {
   if (!p_->steps)
-    p_->fail_at(FLERR, "rerun is not supported: a rebound is an event in time; use run");
+    p_->fail("rerun is not supported: a rebound is an event in time; use run");
   p_->last_step = update->ntimestep;
   p_->hold();
   p_->end_step();
@@ -330,7 +332,7 @@ void FixWallRebound::end_of_step() {
 
 void FixWallRebound::post_run() {
   p_->stuck = p_->wall.stuck();
-  p_->end_run();
+  p_->end();
 }
 
 /* ---- output and restart -----------------------------------------------------------------------

@@ -29,9 +29,6 @@ public:
     is_reordered_ = true;
   }
   asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
-  std::string remedy() const override {
-    return "a time step that is shorter";
-  }
 
 private:
   void take_spheres();

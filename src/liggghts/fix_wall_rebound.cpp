@@ -39,8 +39,7 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false),
       fix_state_(NULL) {
   check_id();
-  check_particles();
-  check_box();
+  check_atoms();
   attempt([&] {
     std::string geometry;
     Words words(narg - 3, arg + 3);
@@ -49,7 +48,6 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     wall.parse(words, geometry);
   });
   set_flags();
-  restart_peratom = create_attribute = 1;
   FixWallRebound::grow_arrays(atom->nmax);
   atom->add_callback(0); /* of arrays, and of restart files */
   atom->add_callback(1);
@@ -161,7 +159,7 @@ FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int colum
 }
 
 void FixWallRebound::post_create() {
-  if (modify->fix_restart_in_progress() && !is_restored())
+  if (modify->fix_restart_in_progress() && !wall.is_restored())
     warn_of_no_restart();
   fix_state_ = add_property(state_id(), Wall::N_STATE);
   for (MeshOfLiggghts *mesh : meshes_)
@@ -273,13 +271,9 @@ void FixWallRebound::check_id() const {
         "Fix wall/rebound: a wall with this ID exists; 'unfix' it before it is defined anew");
 }
 
-void FixWallRebound::check_particles() const {
-  if (!atom->radius_flag || !atom->rmass_flag || atom->ellipsoid_flag || atom->superquadric_flag ||
-      atom->shapetype_flag)
-    fail("particles must be spheres with a radius and a density, by 'atom_style granular' or "
-         "'sphere'");
-  if (!atom->tag_enable)
-    fail("particles have no tags, which the draws depend on; use 'atom_modify id yes'");
+void FixWallRebound::check_atoms() const {
+  check_particles(atom->ellipsoid_flag || atom->superquadric_flag || atom->shapetype_flag,
+                  "granular' or 'sphere");
 }
 
 std::string FixWallRebound::body_error(const Fix *fix) const {
@@ -299,11 +293,6 @@ void FixWallRebound::check_bodies() {
       modify->n_fixes_style("multisphere/nointegration") > 0)
     fail("bodies must be those of one fix multisphere");
   attempt([this] { wall.setup.model.check_bodies(); });
-}
-
-void FixWallRebound::check_box() const {
-  if (domain->triclinic && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
-    fail("the box is triclinic and periodic; a periodic box must be orthogonal");
 }
 
 /* Fixes and meshes that the wall uses may have been deleted since. */
@@ -337,10 +326,9 @@ void FixWallRebound::check_owner(const FixMeshSurface *mesh) const {
  */
 
 void FixWallRebound::init() {
-  find_siblings([](Fix *fix) -> WallFix * { return dynamic_cast<FixWallRebound *>(fix); });
+  find_walls([](Fix *fix) -> WallFix * { return dynamic_cast<FixWallRebound *>(fix); });
   check_run();
-  check_particles();
-  check_box();
+  check_atoms();
   check_meshes();
   check_bodies();
   for (MeshOfLiggghts *mesh : meshes_)
@@ -365,7 +353,7 @@ void FixWallRebound::setup(int) {
         print("fix " + id() + " wall/rebound: " + report);
     }
   });
-  begin_run(true);
+  begin(true);
   is_set_up_ = true;
   show_maps();
 }
@@ -416,7 +404,7 @@ void FixWallRebound::end_of_step() {
 
 void FixWallRebound::post_run() {
   show_maps();
-  end_run();
+  end();
 }
 
 void FixWallRebound::show_maps() {

@@ -93,10 +93,9 @@ private:
   class FixPropertyAtom *add_property(const std::string &name, int columns);
   std::string state_id() const;
   void check_id() const;
-  void check_particles() const;
+  void check_atoms() const;
   void check_meshes() const;
   void check_owner(const FixMeshSurface *mesh) const;
-  void check_box() const;
   void show_maps();
 
   std::vector<std::string> mesh_ids_;

@@ -126,9 +126,6 @@ edit='s/^region box.*/region box prism -0.002 0.002 -0.002 0.002 -0.001 0.002 0.
 edit='s/^create_atoms.*/&\ncreate_atoms 1 single 0 0 1.1e-3 units box/; s/^fix move.*/fix move all rigid\/nvt single temp 1 1 1/' bad "$plane rebound constant 1 1" "" "fix rigid/nvt"
 bad "$plane rebound constant 1 1
 fix back all recenter 0 0 0" "" "fix recenter (id back)" "past the wall"
-edit="s/^boundary.*/boundary f f p/; s/^units.*/&\ndimension 2/; s/^region box.*/region box block -0.002 0.002 -0.002 0.002 -0.001 0.001 units box/
-  s/^create_atoms.*/create_atoms 1 single 0 1e-3 0 units box/; s/^velocity.*/velocity all set 10 -10 0 units box/; s/nve.sphere/& disc/" \
-  bad "all wall/rebound yplane 0 rebound constant 1 1" "" "fix nve/sphere (id move)" "discs"
 bad "$plane rebound constant 1 1
 dump d all custom 1 all.dump id type x y z vx vy vz
 run 1

@@ -132,15 +132,6 @@ script "f p f" rigid/small "0 0 -1.5" "fix lo all wall/rebound zplane -0.02 rebo
 engine 2 rods.in
 table a=rods.in.screen 'assert all(near(row[2] + row[3], a[0][2] + a[0][3], 1e-9) for row in a) and a[-1][3] > 1e-7' || die "rods of more than half a period"
 
-# Rods that turn far in a step: a warning where their fix adds to their energy.
-rigid_data 5 "-2e-3 0 0 5e-4 -1e-3 0 0 5e-4 0 0 0 5e-4 1e-3 0 0 5e-4 2e-3 0 0 5e-4" > data
-for style in rigid/small:1 rigid/nve/small:0; do
-  script "f f f" ${style%:*} "0 0 0" "set group all omega 1000 2000 -1500
-fix floor all wall/rebound zplane -0.02 rebound constant 1 1" 'run 1' > turn.in
-  engine 2 turn.in
-  [ "$(grep -c "bodies turn so far in a step .* use fix rigid/nve/small, or a time step" turn.in.screen || true)" = ${style#*:} ] || die "$style: warnings of far turns"
-done
-
 # What is refused: a law that bodies do not have, and fixes that walls cannot follow.
 dumbbells 10 -0.012
 while IFS='|' read -r style words beta message; do

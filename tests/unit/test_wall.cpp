@@ -422,7 +422,7 @@ static void memories_come_back(void **) {
   BodyMemories restored;
   restored.restore(saved, [](MoverState &, Memory &memory) { memory.draws++; });
   restored.claim({8}, MPI_COMM_WORLD);
-  assert_true(restored.restored() == 2 && restored.find(0)->draws > 9);
+  assert_true(restored.take_restored() == 2 && restored.find(0)->draws > 9);
   assert_true(restored.state[0].impacts > 1);
   restored.claim({}, MPI_COMM_WORLD);
   assert_true(restored.pack().empty());

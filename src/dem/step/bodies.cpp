@@ -9,7 +9,6 @@
 
 #include "contact/vector.h"
 #include "dem/step/mover.h"
-#include "dem/text.h"
 
 using namespace asperity;
 
@@ -253,40 +252,4 @@ void BodyRows::show(const std::vector<Stepper *> &walls, const Bodies &bodies, M
     row.impacts = all[k + 2];
     row.status = all[k + 3];
   }
-}
-
-/* ---- doubts -----------------------------------------------------------------------------------
- */
-
-/* A free body whose moments of inertia have the ratio r, and which turns by the angle a in a step,
- * gains about GAIN (r - 1) a^4 of its energy in that step: 0.4 to 2.6 times that for a triangle, a
- * disc and rods of 2 to 10 spheres. A gain of MOST in STEPS steps is too much. */
-static const double GAIN = 0.01, MOST = 0.01, STEPS = 1e5;
-
-std::vector<std::string> asperity::doubts_of(const Bodies &bodies, const std::string &remedy,
-                                             size_t saved, MPI_Comm world) {
-  std::vector<std::string> doubts;
-  double mine = 0, gain;
-  for (const Body &body : bodies.all) {
-    double omega[3];
-    const double *moments = body.inertia, least = *std::min_element(moments, moments + 3);
-    spin_of(body, omega);
-    const double angle = aspi_length(omega) * bodies.dt;
-    if (least > 0)
-      mine = std::max(mine, GAIN * (*std::max_element(moments, moments + 3) / least - 1) *
-                                pow(angle, 4) * STEPS);
-  }
-  MPI_Allreduce(&mine, &gain, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (!remedy.empty() && gain > MOST)
-    doubts.push_back(text("bodies turn so far in a step that the engine's rotation adds more than "
-                          "%g %% to the energy of their turning in %g steps; use %s by a factor of "
-                          "%.2g",
-                          100 * MOST, STEPS, remedy.c_str(), pow(gain / MOST, 0.25)));
-  long long here = static_cast<long long>(bodies.all.size()), now;
-  MPI_Allreduce(&here, &now, 1, MPI_LONG_LONG, MPI_SUM, world);
-  if (now < static_cast<long long>(saved))
-    doubts.push_back(text("there are %lld bodies of the %zu in the restart file; the engine has "
-                          "lost the others as it read them",
-                          now, saved));
-  return doubts;
 }

@@ -7,7 +7,6 @@
 #define ASPERITY_DEM_BODIES_H
 
 #include <mpi.h>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -107,8 +106,6 @@ public:
   /* Lists the bodies of all ranks that a wall deletes; collective. True for a particle of one. */
   void list_deleted(const Memories &rows, MPI_Comm world);
   bool is_deleted(int i) const;
-  /* What to use where bodies turn too far in a step for Richardson's rule; "": it is not used. */
-  virtual std::string remedy() const = 0;
 
 protected:
   /* A sphere, and the number of its body on this rank. */
@@ -128,12 +125,6 @@ private:
 
   std::vector<double> deleted_; /* names of bodies */
 };
-
-/* Warnings when a run begins: of fewer bodies than were `saved` in the restart file, and of bodies
- * that turn so far in a step that Richardson's rule, by which the engine turns them, adds to their
- * energy. remedy: what to use; "": the engine has another rule. Collective. */
-std::vector<std::string> doubts_of(const Bodies &bodies, const std::string &remedy, size_t saved,
-                                   MPI_Comm world);
 
 /* After bodies have moved between ranks, or have got other numbers, and at the beginning of a run:
  * their memories of the walls come along. Collective. */

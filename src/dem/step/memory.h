@@ -194,8 +194,11 @@ public:
       restored_++;
     }
   }
-  size_t restored() const {
-    return restored_;
+  /* How many were restored since the last call. */
+  size_t take_restored() {
+    const size_t all = restored_;
+    restored_ = 0;
+    return all;
   }
 
   void set_attitude(int b, int64_t step, const double axes[3][3]);

@@ -1,0 +1,193 @@
+/* The walls of a run; see run.h.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/run.h"
+
+#include "dem/text.h"
+
+using namespace asperity;
+
+Run::Run(const Engine &engine) : wall(engine), has_begun_(false), is_checked_(false) {}
+
+std::vector<Stepper *> Run::steppers() const {
+  std::vector<Stepper *> all;
+  for (Run *each : walls_)
+    all.push_back(&each->wall.stepper);
+  return all;
+}
+
+Spheres Run::spheres() {
+  Spheres s = all_spheres();
+  const BodySource &of = bodies();
+  if (!of.any())
+    return s;
+  masks_.assign(s.mask, s.mask + s.n);
+  for (int i = 0; i < s.n; i++)
+    if (of.has(i))
+      masks_[static_cast<size_t>(i)] = 0;
+  s.mask = masks_.data();
+  return s;
+}
+
+Bodies *Run::take_bodies() {
+  return bodies().any() ? bodies().take(steppers()) : NULL;
+}
+
+/* ---- a run ------------------------------------------------------------------------------------
+ */
+
+void Run::list_bodies(bool begins) {
+  if (!leads() || !bodies().any())
+    return;
+  bodies().list(steppers(), begins);
+  body_rows_.reset(all_spheres(), walls_.size());
+}
+
+void Run::begin(bool is_setup) {
+  set_rows();
+  list_bodies(is_setup);
+  attempt([this, is_setup] {
+    const Spheres all = spheres();
+    wall.begin_run(all, group_bit(), box());
+    wall.free_displaced(all, is_setup ? 0 : all.dt);
+  });
+  has_begun_ = true;
+}
+
+void Run::push_spheres() {
+  if (walls_.back() != this)
+    return;
+  for (Run *each : walls_)
+    each->set_rows();
+  push_again(steppers(), spheres());
+}
+
+void Run::push_bodies() {
+  if (walls_.back() != this || !walls_.front()->bodies().any())
+    return;
+  Run &first = *walls_.front();
+  if (Bodies *all = first.take_bodies()) {
+    push_again(steppers(), *all);
+    first.bodies().put(true, wall.setup.engine.world());
+  }
+}
+
+void Run::step() {
+  if (!leads())
+    return;
+  for (Run *each : walls_)
+    if (!each->has_begun_)
+      each->begin(false);
+  try {
+    const bool grow = particles_grow();
+    const Spheres now = spheres();
+    for (Run *each : walls_) {
+      each->set_rows();
+      each->wall.set_dt(now.step - 1, now.dt);
+      if (grow)
+        each->wall.stepper.clear_ahead();
+      each->begin_step();
+      if (!each->is_checked_)
+        each->check_use();
+      each->is_checked_ = true;
+    }
+    Bodies *all = take_bodies();
+    if (all && all->begins) /* the run */
+      warn_of_lost(*all);
+    step_walls(steppers(), now, all);
+  } catch (const std::exception &wrong) {
+    fail_alone(message_of(wrong));
+  }
+  if (bodies().any())
+    bodies().put(false, wall.setup.engine.world());
+  for (Run *each : walls_) {
+    int mine = each->wall.stepper.has_to_delete, any; /* all ranks must agree */
+    if (!each->deletes())
+      continue;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, wall.setup.engine.world());
+    if (any)
+      each->renew_lists();
+  }
+}
+
+void Run::hold() {
+  set_rows();
+  if (!leads())
+    return;
+  for (Run *each : walls_)
+    each->set_rows();
+  Spheres s = spheres();
+  Bodies *all = take_bodies();
+  s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
+  if (all)
+    all->dt = s.dt;
+  end_walls(steppers(), s, all);
+  if (all) {
+    bodies().put(true, wall.setup.engine.world());
+    body_rows_.show(steppers(), *all, wall.setup.engine.world());
+  }
+  for (Run *each : walls_)
+    each->wall.books.end_loads();
+}
+
+void Run::end() {
+  has_begun_ = false;
+  attempt([this] { wall.end_run(); });
+}
+
+void Run::list_deleted() {
+  set_rows();
+  BodySource &of = walls_.front()->bodies();
+  if (of.any())
+    of.list_deleted(wall.stepper.body_rows, wall.setup.engine.world());
+}
+
+bool Run::is_deleted(int i) {
+  const BodySource &of = walls_.front()->bodies();
+  return wall.stepper.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i));
+}
+
+/* ---- restart, and what is lost ----------------------------------------------------------------
+ */
+
+void Run::write_record(FILE *file) {
+  std::vector<char> record;
+  attempt([&] { record = wall.save(); });
+  if (wall.setup.engine.rank() != 0)
+    return;
+  const int size = static_cast<int>(record.size());
+  fwrite(&size, sizeof size, 1, file);
+  fwrite(record.data(), 1, record.size(), file);
+}
+
+void Run::restore(const char *record) {
+  attempt([this, record] { wall.restore(record); });
+}
+
+void Run::warn_of_no_restart() const {
+  wall.setup.engine.warn("the restart file has no data of this wall; its impact numbers begin at "
+                         "1, and no particle is stuck to it");
+}
+
+void Run::warn_of_lost(const Bodies &all) {
+  const size_t saved = wall.stepper.body_rows.take_restored();
+  long long mine = static_cast<long long>(all.all.size()), now;
+  MPI_Allreduce(&mine, &now, 1, MPI_LONG_LONG, MPI_SUM, wall.setup.engine.world());
+  if (now < static_cast<long long>(saved))
+    wall.setup.engine.warn(text("there are %lld bodies of the %zu in the restart file; the engine "
+                                "has lost the others as it read them",
+                                now, saved));
+}
+
+void Run::report_loss() const {
+  const double stuck = wall.stuck(), impacts = wall.books.counter(Books::N_IMPACTS);
+  const std::string counts = text("its counts, of %.0f impacts, end with it", impacts);
+  if (stuck > 0)
+    wall.setup.engine.warn(text("%.0f particles that are stuck to this wall are free from here on, "
+                                "also at a wall that takes its place; ",
+                                stuck) +
+                           counts);
+  else if (impacts > 0)
+    wall.setup.engine.print("fix " + wall.setup.engine.id() +
+                            " wall/rebound: the wall is taken away; " + counts);
+}
