@@ -141,7 +141,7 @@ static ptrdiff_t wrapped(const curve *c, ptrdiff_t i) {
 }
 
 /* Raises the path to an arc, from a point on until a place. */
-static void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
+static inline void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
   ptrdiff_t i = wrapped(c, first);
   for (double x = (double)first; x <= until; x++) {
     double z = height_at(a, x - a->from);
