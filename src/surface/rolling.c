@@ -243,16 +243,17 @@ static void roll(curve *c, const cubic *over, const place *from, const place *to
   int pieces = 1;
   for (double off = fabs(0.75 * bow); off > EVEN && pieces < PIECES_MOST; off /= 4)
     pieces *= 2;
-  place last = *from;
+  place middle;
   for (int k = 1; k < pieces; k++) {
     double m = (double)k / pieces, w = 1 - m;
     double slope = p[0] * w * (1 - 3 * m) + p[1] * m * (3 * m - 2) + 6 * m * w * up;
     double z = over->z[0] + m * m * (3 - 2 * m) * up + m * w * (w * p[0] - m * p[1]);
     place next = center(c, over->x + m, z, slope);
-    join(c, &last, &next);
-    last = next;
+    join(c, from, &next);
+    middle = next;
+    from = &middle;
   }
-  join(c, &last, to);
+  join(c, from, to);
 }
 
 static void roll_over_all(curve *c) {
