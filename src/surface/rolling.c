@@ -142,11 +142,17 @@ static ptrdiff_t wrapped(const curve *c, ptrdiff_t i) {
 
 /* Raises the path to an arc, from a point on until a place. */
 static inline void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
-  ptrdiff_t i = wrapped(c, first);
-  for (double x = (double)first; x <= until; x++) {
-    double z = height_at(a, x - a->from);
-    c->path[i] = z > c->path[i] ? z : c->path[i];
-    i = i + 1 < c->length ? i + 1 : 0;
+  double u = (double)first - a->from;
+  int left = (int)(until - (double)first) + 1;
+  for (ptrdiff_t i = wrapped(c, first); left > 0; i = 0) {
+    int run = left < c->length - i ? left : (int)(c->length - i);
+    double *path = c->path + i;
+    for (int k = 0; k < run; k++) {
+      double z = height_at(a, u + k);
+      path[k] = z > path[k] ? z : path[k];
+    }
+    left -= run;
+    u += run;
   }
 }
 
