@@ -141,12 +141,18 @@ static ptrdiff_t wrapped(const curve *c, ptrdiff_t i) {
 }
 
 /* Raises the path to an arc, from a point on until a place. */
-static void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
-  ptrdiff_t i = wrapped(c, first);
-  for (double x = (double)first; x <= until; x++) {
-    double z = height_at(a, x - a->from);
-    c->path[i] = z > c->path[i] ? z : c->path[i];
-    i = i + 1 < c->length ? i + 1 : 0;
+static inline void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
+  double u = (double)first - a->from;
+  int left = (int)(until - (double)first) + 1;
+  for (ptrdiff_t i = wrapped(c, first); left > 0; i = 0) {
+    int run = left < c->length - i ? left : (int)(c->length - i);
+    double *path = c->path + i;
+    for (int k = 0; k < run; k++) {
+      double z = height_at(a, u + k);
+      path[k] = z > path[k] ? z : path[k];
+    }
+    left -= run;
+    u += run;
   }
 }
 
@@ -243,16 +249,17 @@ static void roll(curve *c, const cubic *over, const place *from, const place *to
   int pieces = 1;
   for (double off = fabs(0.75 * bow); off > EVEN && pieces < PIECES_MOST; off /= 4)
     pieces *= 2;
-  place last = *from;
+  place middle;
   for (int k = 1; k < pieces; k++) {
     double m = (double)k / pieces, w = 1 - m;
     double slope = p[0] * w * (1 - 3 * m) + p[1] * m * (3 * m - 2) + 6 * m * w * up;
     double z = over->z[0] + m * m * (3 - 2 * m) * up + m * w * (w * p[0] - m * p[1]);
     place next = center(c, over->x + m, z, slope);
-    join(c, &last, &next);
-    last = next;
+    join(c, from, &next);
+    middle = next;
+    from = &middle;
   }
-  join(c, &last, to);
+  join(c, from, to);
 }
 
 static void roll_over_all(curve *c) {

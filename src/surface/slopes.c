@@ -10,7 +10,6 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 aspi_moments aspi_moments_of(const double *values, size_t count) {
   double mean = 0, m2 = 0, m3 = 0, m4 = 0;
@@ -34,11 +33,13 @@ aspi_moments aspi_moments_of(const double *values, size_t count) {
 
 void aspi_histogram(const double *values, size_t count, double mean, double sd,
                     double share[ASPI_HISTOGRAM]) {
-  memset(share, 0, ASPI_HISTOGRAM * sizeof *share);
+  size_t found[ASPI_HISTOGRAM] = {0};
   for (size_t i = 0; i < count; i++) {
-    double bin = floor((values[i] - mean) / (ASPI_HISTOGRAM_BIN * sd)) + ASPI_HISTOGRAM / 2;
-    share[(int)fmin(fmax(bin, 0), ASPI_HISTOGRAM - 1)] += 1 / (double)count;
+    double bin = (values[i] - mean) / (ASPI_HISTOGRAM_BIN * sd) + ASPI_HISTOGRAM / 2;
+    found[bin < 0 ? 0 : bin < ASPI_HISTOGRAM ? (int)bin : ASPI_HISTOGRAM - 1]++;
   }
+  for (int i = 0; i < ASPI_HISTOGRAM; i++)
+    share[i] = (double)found[i] / (double)count;
 }
 
 double aspi_kl_normal(const double *values, size_t count, double mean, double sd) {
@@ -67,7 +68,7 @@ asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, double *out
   *count = profile->periodic ? profile->columns : profile->columns - 1;
   for (size_t i = 0; i < *count; i++) {
     size_t at = i * parts + parts / 2;
-    out[i] = (path->z[(at + 1) % fine] - path->z[at % fine]) / path->step[0];
+    out[i] = (path->z[at + 1 < fine ? at + 1 : 0] - path->z[at]) / path->step[0];
   }
   asp_heights_free(path);
   return ASP_OK;

@@ -16,10 +16,9 @@ static double noise(aspi_stream *stream) {
 }
 
 static ptrdiff_t continued(ptrdiff_t i, ptrdiff_t n, bool periodic) {
-  if (periodic)
-    return (i % n + n) % n;
-  i = i < 0 ? -i : i;
-  return i < n ? i : 2 * n - 2 - i;
+  ptrdiff_t period = periodic ? n : 2 * n - 2;
+  i = (i % period + period) % period;
+  return i < n ? i : period - i;
 }
 
 /* The dilation at point i: the maximum over j of z(j) + rise(i - j). */
@@ -69,6 +68,33 @@ static void rolls_over_anything(void **state) {
                                 (ptrdiff_t)(i * FINE / parts)),
                   0.11 + steepest / FINE);
     asp_heights_free(rolled);
+    asp_heights_free(p);
+  }
+}
+
+/* A disc much wider than the spacing touches a profile of sharp bends at points only: there its
+ * path is the dilation of the points, to rounding, however wide it is. */
+static void wide_discs_rest_on_points(void **state) {
+  (void)state;
+  enum { N = 600, SHAPES = 4 };
+  static const double diameters[] = {20, 300, 1000, 9000, 40000};
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 4});
+  for (int round = 0; round < 2 * SHAPES; round++) {
+    double z[N];
+    for (int i = 0; i < N; i++) {
+      double upright = i % 2 ? 1 : -1,
+             shape[SHAPES] = {upright * (1 + noise(&stream)), 10 * sin(0.03 * i) + 3 * upright,
+                              floor(3 * noise(&stream)), i == 77 ? 5 : 0};
+      z[i] = shape[round / 2];
+    }
+    asp_heights *p = asp_heights_create(z, N, 1, 1, 1, round % 2, NULL);
+    for (size_t k = 0; k < sizeof diameters / sizeof *diameters; k++) {
+      double r = diameters[k] / 2;
+      asp_heights *path = aspi_profile_rolled(p, diameters[k], 1, NULL);
+      for (ptrdiff_t i = 0; i < N; i += 7)
+        assert_near(path->z[i], by_definition(z, N, 1, round % 2, r, i), 1e-12 * r);
+      asp_heights_free(path);
+    }
     asp_heights_free(p);
   }
 }
@@ -154,9 +180,9 @@ static void bad_diameters_are_named(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rolls_over_anything),     cmocka_unit_test(discs_roll_over_curves),
-      cmocka_unit_test(ends_wrap_or_mirror),     cmocka_unit_test(closing_is_a_closing),
-      cmocka_unit_test(bad_diameters_are_named),
+      cmocka_unit_test(rolls_over_anything),    cmocka_unit_test(wide_discs_rest_on_points),
+      cmocka_unit_test(discs_roll_over_curves), cmocka_unit_test(ends_wrap_or_mirror),
+      cmocka_unit_test(closing_is_a_closing),   cmocka_unit_test(bad_diameters_are_named),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
