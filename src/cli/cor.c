@@ -251,6 +251,7 @@ static void run(cli_call *call) {
     cli_bad_usage("--angles is '%s'; --capture takes one angle", cli_value(call, "angles"));
   size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000) * count_groups(&s);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
+  cli_description_doubt_angles(&s.wall, &angles);
   FILE *out = cli_table_open(call, s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)

@@ -3,7 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
 #include "base/number.h"
+#include "base/units.h"
 #include "description/words.h"
+#include "spread/flight.h"
+#include "wall/wall.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -112,6 +115,21 @@ void cli_description_make(cli_description *d, double d_least, double d_most) {
   if (surface && asp_surface_check(surface, d_most, &error))
     cli_bad_usage("--dp: %s", error.text);
   cli_description_doubt(d, d_least, d_most);
+}
+
+void cli_description_doubt_angles(const cli_description *d, const cli_list *angles) {
+  const asp_spread_model *spread = asp_wall_spread(d->wall);
+  if (d->words->kind != ASPI_PROFILE || !spread || !spread->follow)
+    return;
+  double least = angles->values[0], r_q = asp_surface_r_q(asp_wall_surface(d->wall));
+  for (size_t i = 1; i < angles->count; i++)
+    least = fmin(least, angles->values[i]);
+  double lowest = aspi_degrees(atan(aspi_fall_least(r_q, 2 * d->wall->heights.length)));
+  if (least < lowest)
+    cli_warn("--angles: %g degrees is so low that a particle would fall by less than 16 R_q over "
+             "the profile and its mirror image, and meet few peaks; below %.3g degrees it is "
+             "steepened to that",
+             least, lowest);
 }
 
 const double *cli_description_lay(const cli_description *d, double vector[3]) {

@@ -45,6 +45,9 @@ void cli_description_doubt(const cli_description *description, double d_least, d
  * doubts. */
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
+/* Warns where the lowest of these angles (degrees) is steepened over a measured profile. */
+void cli_description_doubt_angles(const cli_description *description, const cli_list *angles);
+
 /* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
  * NAN where it is undefined. */
 typedef struct cli_impact {

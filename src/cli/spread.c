@@ -138,6 +138,7 @@ static void run(cli_call *call) {
   scene s = scene_of(call);
   if (pdf && !s.model->density)
     cli_bad_usage("--pdf: model '%s' has no density", s.model->name);
+  cli_description_doubt_angles(&s.wall, &angles);
   FILE *out = cli_table_open(call, s.wall.text);
   if (summary)
     fputs("model,alpha1_deg,mean_deg,sd_deg,p05_deg,p50_deg,p95_deg\n", out);

@@ -35,8 +35,9 @@ static ptrdiff_t next_of(ptrdiff_t k, ptrdiff_t n) {
   return k + 1 < n ? k + 1 : 0;
 }
 
-/* Rms heights that a beam must fall over the field, so that its first hits lie on many peaks. */
-#define RISE_LEAST 16
+double aspi_fall_least(double r_q, double length) {
+  return 16 * r_q / length;
+}
 
 /* A steeper beam is vertical. */
 #define FALL_MOST 1e12
@@ -146,7 +147,7 @@ static void finish(aspi_field *f) {
       square += c.z[0] * c.z[0] / n;
     }
   f->bottom -= f->step[0]; /* clearly below */
-  f->fall_least = RISE_LEAST * sqrt(fmax(0, square - mean * mean)) / (n * f->step[0]);
+  f->fall_least = aspi_fall_least(sqrt(fmax(0, square - mean * mean)), n * f->step[0]);
   fill_tops(f);
 }
 

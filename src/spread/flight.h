@@ -32,6 +32,10 @@ typedef struct aspi_field {
   double fall_least; /* least slope of a beam that meets many peaks */
 } aspi_field;
 
+/* The slope at which a beam falls by 16 rms heights over this length, so that its first hits lie on
+ * many peaks. */
+double aspi_fall_least(double r_q, double length);
+
 /* False: the gradient at a hit comes from the heights. */
 static inline bool aspi_field_has_gradients(const aspi_field *field) {
   return field->stride > 1;

@@ -25,6 +25,12 @@ sigma=$(awk 'BEGIN { print atan2(sqrt(2) * 5 / 40, 1) * 57.29577951 }')
 near "--rq" "$(mean surface rq 5um lambda_c 40um --dp 10nm)" "$(mean surface sigma "$sigma")" 0.01
 near "--sigma of a model that looks at a profile" "$(mean surface sigma "$sigma" spread traced)" "$(mean surface sigma "$sigma")" 0.3
 near "--profile" "$(mean surface profile gauss --dp 20um)" "$(mean surface rq 5um lambda_c 40um --dp 20um)" 0.4
+# 8 R_q over 1000 lambda_c of 40 um with R_q 5 um: 0.0573 degrees.
+steepened() { "$asperity" "$1" surface profile gauss spread "$2" --dp 20um --angles "$3" --samples 9 2>&1 > /dev/null | grep 'warning: --angles'; }
+steepened cor traced 0.05 | grep -q '^asperity: warning: --angles: 0.05 degrees .* below 0.05[67]' || die "cor: no warning of a low angle: $(steepened cor traced 0.05)"
+steepened spread traced 0.05 > /dev/null || die "spread: no warning of a low angle"
+! steepened cor traced 0.06 || die "cor: a warning of an angle that is not steepened"
+! steepened cor visible 0.05 || die "cor: a warning of a model that steepens no angle"
 near "--lay" "$(mean surface rq 5um lambda_c 40um 120um lay 0 --dp 10nm)" "$(mean surface rq 5um lambda_c 120um --dp 10nm)" 0.01
 numbers=$("$asperity" surface surface map map --dp 5um | awk -F, 'END { print $2 "um lambda_c " $3 "um" }')
 near "--map" "$(mean surface map map --dp 5um)" "$(mean surface rq $numbers --dp 5um)" 0.8
