@@ -279,10 +279,13 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
   asp_error error;
   bool found, missing;
   cli_must(!aspi_table_row(t->table, &found, &error), &error);
-  for (int c = 0; c < SCATTER_COLUMNS; c++) {
+  for (int c = 0, first = t->count == 0; c < SCATTER_COLUMNS && first; c++)
+    if (t->at[c] >= 0)
+      t->used[t->count++] = c;
+  for (int c = 0; c < SCATTER_COLUMNS; c++)
     value[c] = NAN;
-    if (!found || t->at[c] < 0)
-      continue;
+  for (int k = 0; k < t->count && found; k++) {
+    int c = t->used[k];
     double by = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
     if (c == OUTCOME)
       value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);

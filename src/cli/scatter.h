@@ -53,6 +53,7 @@ typedef struct cli_scatter {
   aspi_table *table;
   bool is_ledger, needed[SCATTER_COLUMNS];
   int at[SCATTER_COLUMNS];
+  int used[SCATTER_COLUMNS], count; /* those that there are, when rows are read */
   bool from_normal[SCATTER_COLUMNS]; /* angles of the file that are turned */
   double factor[SCATTER_COLUMNS];
 } cli_scatter;
