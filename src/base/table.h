@@ -49,6 +49,9 @@ typedef struct aspi_table {
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error);
 void aspi_table_close(aspi_table *table);
 
+/* Finds separator, width and thousands from all rows, and goes back to the beginning. */
+asp_code aspi_table_survey(aspi_table *table, asp_error *error);
+
 /* Cuts the next line that is neither blank nor a comment; *found is false at the end. */
 asp_code aspi_table_line(aspi_table *table, bool *found, asp_error *error);
 
