@@ -382,11 +382,10 @@ asp_code aspi_table_row(aspi_table *t, bool *found, asp_error *error) {
     return code;
   if (t->all == t->columns || (t->count <= t->columns && t->all > t->columns))
     return ASP_OK;
-  return aspi_text_fail(&t->text, t->text.line, error, "%d fields under %d column names%s", t->all,
-                        t->columns,
-                        t->separator == ',' && t->all > t->columns
-                            ? " (decimal commas need ; or tabs between the fields)"
-                            : "");
+  return aspi_table_fail(t, error, "%d fields under %d column names%s", t->all, t->columns,
+                         t->separator == ',' && t->all > t->columns
+                             ? " (decimal commas need ; or tabs between the fields)"
+                             : "");
 }
 
 int aspi_table_find(const aspi_table *t, const char *name) {
@@ -404,10 +403,10 @@ int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
   for (int i = 0; i < t->columns; i++)
     aspi_append(list, sizeof list, " %s", t->column[i].name);
   if (t->nameless)
-    aspi_text_fail(&t->text, t->text.line, error,
-                   "'%.40s' stands where a column name is expected; the line above the first "
-                   "numbers must name the columns",
-                   t->count ? t->fields[0] : "");
+    aspi_table_fail(t, error,
+                    "'%.40s' stands where a column name is expected; the line above the first "
+                    "numbers must name the columns",
+                    t->count ? t->fields[0] : "");
   else
     aspi_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", t->text.path, name,
               list);
@@ -422,12 +421,12 @@ asp_code aspi_table_number(const aspi_table *t, int column, double least, double
   if (word == ASP_WORD_MISSING && missing)
     return ASP_OK;
   if (word != ASP_WORD_NUMBER)
-    return aspi_text_fail(&t->text, t->text.line, error, "%s is '%s'; a number is expected",
-                          t->column[column].name, t->fields[column]);
+    return aspi_table_fail(t, error, "%s is '%s'; a number is expected", t->column[column].name,
+                           t->fields[column]);
   if (*value >= least && *value <= most)
     return ASP_OK;
-  return aspi_text_fail(&t->text, t->text.line, error, "%s is %g; it must be %g to %g",
-                        t->column[column].name, *value, least, most);
+  return aspi_table_fail(t, error, "%s is %g; it must be %g to %g", t->column[column].name, *value,
+                         least, most);
 }
 
 /* The text behind a key at the front of a line and the signs behind it, or NULL. A blank in the key
