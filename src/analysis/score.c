@@ -18,11 +18,11 @@ static aspi_sample describe(const aspi_side *side, int k) {
     double each = side->impacts[i].weight, weight = each * row->rows;
     if (k < ASPI_COMPARED && isnan(row->cor[k]))
       continue;
-    aspi_scatter_about(row, k, mean, sums);
+    double value = k < ASPI_COMPARED ? row->cor[k] + row->power[k][0] / row->rows : row->deposit;
     s.count += (size_t)row->rows;
     total += weight;
     squares += each * weight;
-    mean += sums[0] * each / total;
+    mean += (value - mean) * (weight / total); /* exact for equal ones */
   }
   for (size_t i = 0; i < side->count; i++) {
     const aspi_scatter_row *row = side->impacts[i].row;

@@ -15,131 +15,6 @@
  * Longer headers are kept up to here. */
 enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
-/* ---- the first pass: separator, decimal mark, number of columns ---- */
-
-static const char separators[] = ";\t, ";
-enum { SEMICOLON, TAB, COMMA, BLANK, SEPARATORS };
-
-/* Lines of one kind, and of them for each separator: those that have it between other text, and the
- * number of fields that most have, by a vote of majority (Boyer & Moore 1981). `gaps`: lines that
- * have numbers with blanks between them. Of their numbers those with one point, with one comma that
- * cannot stand between groups of three digits, and with zeros behind it: 0,05. */
-typedef struct tally {
-  size_t lines, gaps, points, decimals, zeros, with[SEPARATORS];
-  int fields[SEPARATORS];
-  long votes[SEPARATORS];
-} tally;
-
-/* A run of digits, points and commas. */
-typedef struct run {
-  int points, commas, head, tail;
-  bool zero; /* the tail begins with one */
-} run;
-
-static void end_run(tally *t, run *r, bool quoted) {
-  if (r->commas == 1 && r->points == 0 && r->head > 0 && r->tail > 0) {
-    t->decimals += r->tail != 3 || r->head > 3;
-    t->zeros += r->zero && r->tail > 1 && !quoted;
-  }
-  t->points += r->points == 1;
-  *r = (run){0};
-}
-
-static void take_character(run *r, char c) {
-  if (c == ',' || c == '.') {
-    *(c == ',' ? &r->commas : &r->points) += 1;
-    r->head += r->tail;
-    r->tail = 0;
-  } else {
-    r->zero = r->tail == 0 ? c == '0' : r->zero;
-    r->tail++;
-  }
-}
-
-/* Adds a line to those of its kind. */
-static void vote(tally *t, const tally *line) {
-  t->lines++;
-  t->gaps += line->gaps > 0;
-  t->points += line->points;
-  t->decimals += line->decimals;
-  t->zeros += line->zeros;
-  for (int k = 0; k < SEPARATORS; k++) {
-    t->with[k] += line->with[k] > 0;
-    if (t->votes[k] == 0)
-      t->fields[k] = line->fields[k];
-    t->votes[k] += t->fields[k] == line->fields[k] ? 1 : -1;
-  }
-}
-
-/* Looks at a line of numbers alone, or of other text with digits in it. */
-static void look(tally *numbers, tally *others, const char *c, const char *end) {
-  tally line = {.fields = {1, 1, 1, 0}};
-  int indent = (int)strspn(c, "\t");
-  bool quoted = false, words = false, digits = false, blank = true;
-  char last = ' ';
-  run r = {0};
-  for (; c < end; c++) {
-    bool is_digit = *c >= '0' && *c <= '9';
-    if (is_digit && r.tail > 0) { /* most characters */
-      r.tail++;
-      continue;
-    }
-    if (is_digit || *c == '.' || *c == ',')
-      take_character(&r, *c);
-    else if (r.head + r.tail + r.commas + r.points > 0)
-      end_run(&line, &r, quoted);
-    quoted ^= *c == '"';
-    if (*c == ',' && !quoted)
-      line.fields[COMMA]++;
-    if (*c == ' ' || *c == '\t' || *c == ';') {
-      blank = blank || (*c != ';' && !quoted);
-      line.fields[*c == ';' ? SEMICOLON : TAB] += !quoted && *c != ' ';
-      continue;
-    }
-    if (blank) {
-      line.fields[BLANK]++;
-      line.gaps += isdigit((unsigned char)last) && (is_digit || *c == '-' || *c == '.');
-    }
-    blank = false;
-    digits = digits || is_digit;
-    if (isalpha((unsigned char)*c) || (unsigned char)*c >= 0x80)
-      words = words || !strchr("eEdD", *c) || (!isdigit((unsigned char)last) && last != '.');
-    last = *c;
-  }
-  end_run(&line, &r, quoted);
-  for (int k = 0; k < BLANK; k++)
-    line.with[k] = (size_t)(line.fields[k] - 1 - (k == TAB ? indent : 0));
-  if (digits)
-    vote(words ? others : numbers, &line);
-}
-
-static void choose(aspi_table *t, const tally *of) {
-  int k = 0;
-  while (k < BLANK && (2 * of->with[k] < of->lines || of->lines == 0))
-    k++;
-  bool decimal = of->fields[COMMA] == 2 && of->points == 0 && of->zeros > 0;
-  if (k == COMMA && (2 * of->gaps >= of->lines || decimal))
-    k = BLANK;
-  t->separator = separators[k];
-  t->width = 2 * of->votes[k] >= (long)of->lines ? of->fields[k] : 0;
-  t->thousands = of->points > 0 && of->decimals == 0;
-}
-
-static asp_code take_survey(aspi_table *t, asp_error *error) {
-  tally numbers = {.lines = 0}, others = {.lines = 0};
-  bool found = true;
-  asp_code code = ASP_OK;
-  while (!(code = aspi_text_line(&t->text, &found, error)) && found) {
-    const char *c = t->text.text, *end = c + t->text.length;
-    const char *first = c + strspn(c, " \t"), *tag = *first == '<' ? strchr(first, '>') : NULL;
-    t->tagged = t->tagged || (tag && t->text.line == 1);
-    if (*first != '#')
-      look(&numbers, &others, tag ? tag + 1 : c, end);
-  }
-  choose(t, numbers.lines >= others.lines ? &numbers : &others);
-  return code ? code : aspi_text_rewind(&t->text, error);
-}
-
 /* ---- lines ---- */
 
 static asp_code fail_memory(const aspi_table *t, asp_error *error) {
@@ -443,7 +318,7 @@ static asp_code take_names(aspi_table *t, int least, asp_error *error) {
 
 static asp_code open_text(aspi_table *t, int least, asp_error *error) {
   asp_code code = aspi_text_rewind(&t->text, error);
-  if (code || (code = take_survey(t, error)))
+  if (code || (code = aspi_table_survey(t, error)))
     return code;
   least = least > 0 && t->width == 1 ? 1 : least;
   if ((code = take_separator(t, error)) || (code = find_start(t, least, error)) ||
@@ -507,11 +382,10 @@ asp_code aspi_table_row(aspi_table *t, bool *found, asp_error *error) {
     return code;
   if (t->all == t->columns || (t->count <= t->columns && t->all > t->columns))
     return ASP_OK;
-  return aspi_text_fail(&t->text, t->text.line, error, "%d fields under %d column names%s", t->all,
-                        t->columns,
-                        t->separator == ',' && t->all > t->columns
-                            ? " (decimal commas need ; or tabs between the fields)"
-                            : "");
+  return aspi_table_fail(t, error, "%d fields under %d column names%s", t->all, t->columns,
+                         t->separator == ',' && t->all > t->columns
+                             ? " (decimal commas need ; or tabs between the fields)"
+                             : "");
 }
 
 int aspi_table_find(const aspi_table *t, const char *name) {
@@ -529,10 +403,10 @@ int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
   for (int i = 0; i < t->columns; i++)
     aspi_append(list, sizeof list, " %s", t->column[i].name);
   if (t->nameless)
-    aspi_text_fail(&t->text, t->text.line, error,
-                   "'%.40s' stands where a column name is expected; the line above the first "
-                   "numbers must name the columns",
-                   t->count ? t->fields[0] : "");
+    aspi_table_fail(t, error,
+                    "'%.40s' stands where a column name is expected; the line above the first "
+                    "numbers must name the columns",
+                    t->count ? t->fields[0] : "");
   else
     aspi_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", t->text.path, name,
               list);
@@ -547,12 +421,12 @@ asp_code aspi_table_number(const aspi_table *t, int column, double least, double
   if (word == ASP_WORD_MISSING && missing)
     return ASP_OK;
   if (word != ASP_WORD_NUMBER)
-    return aspi_text_fail(&t->text, t->text.line, error, "%s is '%s'; a number is expected",
-                          t->column[column].name, t->fields[column]);
+    return aspi_table_fail(t, error, "%s is '%s'; a number is expected", t->column[column].name,
+                           t->fields[column]);
   if (*value >= least && *value <= most)
     return ASP_OK;
-  return aspi_text_fail(&t->text, t->text.line, error, "%s is %g; it must be %g to %g",
-                        t->column[column].name, *value, least, most);
+  return aspi_table_fail(t, error, "%s is %g; it must be %g to %g", t->column[column].name, *value,
+                         least, most);
 }
 
 /* The text behind a key at the front of a line and the signs behind it, or NULL. A blank in the key

@@ -49,11 +49,18 @@ typedef struct aspi_table {
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error);
 void aspi_table_close(aspi_table *table);
 
+/* Finds separator, width and thousands from all rows, and goes back to the beginning. */
+asp_code aspi_table_survey(aspi_table *table, asp_error *error);
+
 /* Cuts the next line that is neither blank nor a comment; *found is false at the end. */
 asp_code aspi_table_line(aspi_table *table, bool *found, asp_error *error);
 
 /* The same, and ASP_EDATA if the number of fields differs from the number of names. */
 asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
+
+/* ASP_EDATA and a message on the line at hand. */
+#define aspi_table_fail(table, error, ...)                                                         \
+  aspi_text_fail(&(table)->text, (table)->text.line, error, __VA_ARGS__)
 
 /* Index of a column by its plain name, or -1; with a message that lists the columns there are. */
 int aspi_table_find(const aspi_table *table, const char *name);

@@ -53,12 +53,19 @@ typedef struct cli_scatter {
   aspi_table *table;
   bool is_ledger, needed[SCATTER_COLUMNS];
   int at[SCATTER_COLUMNS];
+  int used[SCATTER_COLUMNS], count;  /* those that there are, when rows are read */
   bool from_normal[SCATTER_COLUMNS]; /* angles of the file that are turned */
   double factor[SCATTER_COLUMNS];
 } cli_scatter;
 
 /* Opens a table for the columns below `end`. */
 cli_scatter cli_scatter_open(const char *path, int end);
+
+/* Takes the columns that the user names: `alpha1=2,v1=speed`, by number or name. */
+void cli_scatter_choose(cli_scatter *table, const cli_option *choice);
+
+/* Counts angles from the wall that the file counts from its normal, by its name or by the user. */
+void cli_scatter_turn(cli_scatter *table, const cli_option *from);
 
 /* Exits, with a hint, unless there is a column, with a number in each row. */
 void cli_scatter_need(cli_scatter *table, int column, const char *hint);

@@ -92,12 +92,6 @@ static size_t count_of(const reader *r, const char *keys) {
   return text ? (size_t)strtoul(text, NULL, 10) : 0;
 }
 
-static asp_code fail(const reader *r, asp_error *error, const char *text, int number) {
-  char message[400];
-  snprintf(message, sizeof message, text, number);
-  return aspi_text_fail(&r->table->text, r->table->text.line, error, "%s", message);
-}
-
 /* ---- names ---- */
 
 static size_t first_word(const char *name) {
@@ -149,8 +143,8 @@ static asp_code find_asked(const reader *r, const char *asked, int number, int *
   if (!asked || !*end) {
     if (number <= r->due && (number > 0 || !asked))
       return ASP_OK;
-    return aspi_text_fail(&t->text, t->text.line, error,
-                          "column %d is asked for; the file has %d columns", number, r->due);
+    return aspi_table_fail(t, error, "column %d is asked for; the file has %d columns", number,
+                           r->due);
   }
   for (*found = 0; *found < t->columns; ++*found) {
     const char *name = t->column[*found].name;
@@ -159,9 +153,8 @@ static asp_code find_asked(const reader *r, const char *asked, int number, int *
         (strlen(asked) == length && strncasecmp(name, asked, length) == 0))
       return ASP_OK;
   }
-  return aspi_text_fail(&t->text, t->text.line, error,
-                        "column '%.40s' is asked for; none of the %d columns has that name", asked,
-                        r->due);
+  return aspi_table_fail(
+      t, error, "column '%.40s' is asked for; none of the %d columns has that name", asked, r->due);
 }
 
 /* The columns that neither the user nor names state. Of two columns the first is that of positions
@@ -191,15 +184,16 @@ static asp_code find_units(reader *r, asp_error *error) {
     double unit = own > 0 ? own : c && unit_in(c) > 0 ? unit_in(c) : factor;
     r->unit[k] = k < Z && at < 0 ? 1 : unit > 0 ? unit : length_of(r, key_unit, 1);
     if (!(r->unit[k] > 0) && r->column[Z] < 0)
-      return fail(r, error,
-                  "no unit of the heights is stated before the first numbers; say which unit of "
-                  "length they are in (reader: unit_z)",
-                  0);
+      return aspi_table_fail(
+          r->table, error,
+          "no unit of the heights is stated before the first numbers; say which unit of "
+          "length they are in (reader: unit_z)");
     if (!(r->unit[k] > 0))
-      return fail(r, error,
-                  "no unit of length is stated of column %d before the first numbers; say which "
-                  "unit of length the columns are in (reader: unit_x, unit_z)",
-                  at + 1);
+      return aspi_table_fail(
+          r->table, error,
+          "no unit of length is stated of column %d before the first numbers; say which "
+          "unit of length the columns are in (reader: unit_x, unit_z)",
+          at + 1);
     if (k == Z && c && is_of(depths, c))
       r->unit[k] *= -1;
   }
@@ -215,23 +209,22 @@ static asp_code choose_profile(reader *r, asp_error *error) {
   if (code)
     return code;
   if (*x >= 0 && *x == *z)
-    return fail(r, error, "column %d is asked for as positions and as heights", *x + 1);
+    return aspi_table_fail(r->table, error, "column %d is asked for as positions and as heights",
+                           *x + 1);
   bool by_user = *x >= 0;
   if (*z < 0 && r->due > (alone ? 1 : 2) && named < r->table->count)
-    return aspi_text_fail(&r->table->text, r->table->text.line, error,
-                          "%d columns under %d names%s; " ASK_COLUMNS
-                          "; a matrix of heights, or x, y and z, is a map (surface map)",
-                          r->due, named,
-                          r->table->separator == ',' ? " (or " DECIMAL_COMMAS ")" : "");
+    return aspi_table_fail(r->table, error,
+                           "%d columns under %d names%s; " ASK_COLUMNS
+                           "; a matrix of heights, or x, y and z, is a map (surface map)",
+                           r->due, named,
+                           r->table->separator == ',' ? " (or " DECIMAL_COMMAS ")" : "");
   if (!alone && r->due == 1)
-    return fail(r, error,
-                "heights alone of a profile need the step between them, reader: step_x%.0d", 0);
+    return aspi_table_fail(r->table, error,
+                           "heights alone of a profile need the step between them, reader: step_x");
   complete(r, alone);
   if (*z < 0 || (*x < 0 && !alone))
-    return fail(r, error,
-                *z < 0 ? "no column is named as a height; " ASK_COLUMNS
-                       : "no column is named as a position; " ASK_COLUMNS,
-                0);
+    return aspi_table_fail(r->table, error, "no column is named as a %s; " ASK_COLUMNS,
+                           *z < 0 ? "height" : "position");
   int y = first_of(r, "y", *z);
   bool both = y >= 0 && !by_user && *x >= 0 && first_of(r, "x", -1) == *x;
   r->column[Y] = both ? y : -1;
@@ -291,13 +284,11 @@ static asp_code check_count(const reader *r, asp_error *error) {
   bool matrix = r->column[Z] < 0, comma = t->separator == ',';
   int count = t->all >= r->due && t->count < r->due ? r->due : t->count;
   if (count > r->due || (matrix && count < r->due))
-    return aspi_text_fail(&t->text, t->text.line, error,
-                          "%d fields, the first line of numbers has %d%s", count, r->due,
-                          comma ? ": " DECIMAL_COMMAS : "");
+    return aspi_table_fail(t, error, "%d fields, the first line of numbers has %d%s", count, r->due,
+                           comma ? ": " DECIMAL_COMMAS : "");
   for (int i = 0; i < t->count && matrix && comma; i++)
     if (*t->fields[i] == '0' && isdigit((unsigned char)t->fields[i][1]))
-      return aspi_text_fail(&t->text, t->text.line, error,
-                            "numbers that begin with a zero: " DECIMAL_COMMAS);
+      return aspi_table_fail(t, error, "numbers that begin with a zero: " DECIMAL_COMMAS);
   return ASP_OK;
 }
 
@@ -417,8 +408,9 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
   const int *at = r->column;
   asp_code code = ASP_OK;
   if (at[X] >= 0 && r->options->step[0] > 0)
-    return fail(r, error,
-                "the spacing is given (step), but the file has the positions of its points%.0d", 0);
+    return aspi_table_fail(
+        r->table, error,
+        "the spacing is given (step), but the file has the positions of its points");
   for (bool found = true; found && !code;) {
     double position[2] = {(double)points->count * r->step[0], 0};
     for (int k = X; k <= Y; k++)
@@ -461,9 +453,9 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   aspi_points points = {0};
   bool chosen = o->x_column && (o->z_column || o->column);
   if (t->start == 0)
-    return aspi_text_fail(&t->text, t->text.line, error,
-                          "the file ends without a line of two numbers or more (heights alone of "
-                          "a profile need the step between them, reader: step_x)");
+    return aspi_table_fail(t, error,
+                           "the file ends without a line of two numbers or more (heights alone of "
+                           "a profile need the step between them, reader: step_x)");
   r->due = t->columns > t->count ? t->columns : t->count;
   double unit = o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1);
   for (int k = 0; k < 2; k++)

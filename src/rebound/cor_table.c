@@ -167,9 +167,7 @@ static asp_code read_point(const aspi_table *file, const columns *at, double met
     return code;
   p->speed = speed * meter_per_second;
   p->alpha1 = fmin(degrees / DEGREES, ASP_PI / 2);
-  return check_energy(p, &wrong)
-             ? aspi_text_fail(&file->text, file->text.line, error, "%s", wrong.text)
-             : ASP_OK;
+  return check_energy(p, &wrong) ? aspi_table_fail(file, error, "%s", wrong.text) : ASP_OK;
 }
 
 /* All points of the file, to be freed by the caller; NULL on error. */

@@ -128,8 +128,7 @@ static asp_code read_row(aspi_materials *own, const aspi_table *table, const int
   size_t count = (size_t)own->count;
   const char *name = table->fields[at[NAME]];
   if (!*name || strpbrk(name, " \t,;"))
-    return aspi_text_fail(&table->text, table->text.line, error,
-                          "the name '%s'; it must be one word without commas", name);
+    return aspi_table_fail(table, error, "the name '%s'; it must be one word without commas", name);
   if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
     asp_material **grown = realloc(own->list, (count ? 2 * count : 1) * sizeof *grown);
     if (!grown)
