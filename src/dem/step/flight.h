@@ -13,12 +13,6 @@
 
 namespace asperity {
 
-/* Sine of the angle to the wall below which a particle slides. */
-const double GRAZING = 1e-6;
-
-/* Relative rounding of sums. */
-const double EPSILON = 1e-12;
-
 /* The angle by which a wall's curve may turn a mover that rests at it in a step, rad. */
 const double CURVE = 0.1;
 

@@ -12,13 +12,9 @@
 #include <memory>
 #include <vector>
 
+#include "contact/tolerances.h"
+
 namespace asperity {
-
-/* A sphere that rests at a face overlaps it by less, in radii. */
-const double OVERLAP = 1e-5;
-
-/* Relative rounding of velocities, times and distances that are compared. */
-const double ROUNDING = 1e-9;
 
 /* The values are in restart files, and per-atom output shows them: 1 is stuck, less than 0 is at
  * the wall in this step. */

@@ -39,27 +39,10 @@ using namespace asperity;
 
 namespace {
 
-/* Contacts are in a row if they are within this share of the radius. After SERIES of them for each
- * sphere, as between closing walls, all are taken as sustained. After twice as many the search ends
- * for this step; the mover is trapped if there were impacts among them. */
+/* Contacts are in a row if they are NEAR each other. After SERIES of them for each sphere, as
+ * between closing walls, all are taken as sustained. After twice as many the search ends for this
+ * step; the mover is trapped if there were impacts among them. */
 const int SERIES = 16;
-const double NEAR = 0.01;
-
-/* An overlap of less than this many radii is rounding: particles in a settled bed have up to 1e-6.
- */
-const double ROUNDED = 1e-5;
-
-/* A mover that comes to rest at a wall out of an overlap of more than this many radii was put
- * there; less is how a wall that turns moves into it within a step. */
-const double DEEP = 1e-3;
-
-/* GRAZING of a mover that stays at a wall: an overlap of 1e-10 radii, which is rounding, puts it at
- * the edges of the coplanar faces ahead, whose normals are off by sqrt(2e-10) there. */
-const double ON_EDGES = 1.5e-5;
-
-/* Contacts of several spheres are at one instant if the gap between them is less than this share of
- * the radius. */
-const double AT_ONCE = 1e-6;
 
 /* The path of a sphere of a body is straight if it is off by less than this share of the radius. */
 const double STRAIGHT = 2e-6;
@@ -88,7 +71,7 @@ typedef std::vector<Stepper *> Walls;
 static bool find_first(const Walls &walls, const Flight &flight, size_t sphere, double wider,
                        double latest, Touch &touch) {
   const BodySphere &one = flight.mover.sphere[sphere];
-  const double same = 2 * CONTACT_TOLERANCE * one.radius;
+  const double same = 2 * TOUCHING * one.radius;
   touch.wall = NULL;
   touch.sphere = sphere;
   touch.before = flight.path_of(sphere);
@@ -461,10 +444,11 @@ static bool slides(Flight &flight, const Touch &touch) {
   const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
   const double closing = std::max(0.0, contact.closing), deep = closing * flight.path.left;
-  if (!flight.is_led || deep > ROUNDED * one.radius ||
-      (deep > EPSILON * one.radius && !rests_there(flight, touch)))
+  if (!flight.is_led || deep > OVERLAP * one.radius ||
+      (deep > SUM_ROUNDING * one.radius && !rests_there(flight, touch)))
     return false;
-  aspi_add_scaled(flight.path.v, (1 + ROUNDING) * closing + EPSILON * aspi_length(touch.before.v),
+  aspi_add_scaled(flight.path.v,
+                  (1 + ROUNDING) * closing + SUM_ROUNDING * aspi_length(touch.before.v),
                   contact.n_end, flight.path.v);
   return true;
 }
@@ -487,7 +471,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
     Touch &touch = touches[k];
     touch.contact.overlapped =
         touch.contact.overlapped &&
-        overlap(touch.before, touch.contact) > ROUNDED * flight.mover.sphere[touch.sphere].radius;
+        overlap(touch.before, touch.contact) > OVERLAP * flight.mover.sphere[touch.sphere].radius;
     if (touches.size() == 1)
       break;
     Site site(flight, touch, v);
@@ -527,7 +511,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
   for (size_t k = 0; k < touches.size(); k++) {
     const Touch &touch = touches[k];
     if (touch.contact.overlapped &&
-        overlap(touch.before, touch.contact) > DEEP * flight.mover.sphere[touch.sphere].radius)
+        overlap(touch.before, touch.contact) > DISPLACED * flight.mover.sphere[touch.sphere].radius)
       touch.wall->books.count_guarded();
     flight.sustain(touch, holds[k]);
   }
@@ -639,7 +623,7 @@ static void take_turn(Flight &flight, const Movers &movers) {
     aspi_subtract(searched, arm, arm);
     off = std::max(off, aspi_length(arm));
   }
-  if (off > ROUNDED * mover.sphere->radius)
+  if (off > OVERLAP * mover.sphere->radius)
     movers.place(mover, body.x);
 }
 
@@ -707,66 +691,4 @@ void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bo
   for (size_t b = 0; b < bodies->all.size(); b++)
     walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies->step + 1, bodies->all[b].axes);
   bodies->begins = false;
-}
-
-/* ---- which movers are at a wall ---------------------------------------------------------------
- */
-
-Stepper::Stepper(const Setup &of, Books &its)
-    : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_rough(false), is_still(false), has_to_delete(false), is_cut(false) {}
-
-void Members::list(const Spheres &s, int groupbit) {
-  stuck.clear();
-  touching.clear();
-  for (int i = 0; i < s.n; i++)
-    if (!(s.mask[i] & groupbit) || !rows.has_list(i))
-      rows.forget(i);
-    else if (rows.is_stuck(i))
-      stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
-    else if (rows.status(i) != Status::FREE)
-      touching.push_back(i);
-  ahead.reorder(s);
-}
-
-void Members::begin_step() {
-  size_t kept = 0;
-  for (int i : touching) {
-    if (rows.status(i) == Status::RESTING)
-      touching[kept++] = i;
-    else if (!rows.is_stuck(i))
-      rows.set_status(i, Status::FREE);
-  }
-  touching.resize(kept);
-}
-
-void Members::begin_run(const Setup &setup, const Spheres &s) {
-  ahead.begin_run();
-  for (int i = 0; i < s.n; i++)
-    if (rows.is_stuck(i) && setup.model.deposit() == Model::OFF)
-      rows.set_status(i, Status::FREE); /* an earlier part of the run had deposits */
-}
-
-void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
-  for (int i = 0; i < s.n && !shape_now.empty(); i++)
-    if (Memory *of = rows.find(i)) {
-      renumber(shape_now, rows.state[i], *of);
-      for (Stuck &at : of->stuck)
-        if (!(at.shape >= 1)) /* it stays where it is before the engine moves it */
-          aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
-    }
-  is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
-  grains.begin_run(setup, s);
-  reorder(s);
-}
-
-void Stepper::reorder(const Spheres &s) {
-  has_to_delete = false;
-  grains.list(s, setup.groupbit);
-  for (const StuckOne &one : grains.stuck) {
-    Stuck &at = rows.stuck(one.i);
-    if (at.is_kept > 0 && is_in_step)
-      aspi_scale(0.5, rows.state[one.i].force); /* the second half of the step is to come */
-    at.is_kept = 0;
-  }
 }

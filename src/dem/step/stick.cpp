@@ -54,29 +54,6 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   return to;
 }
 
-void Stepper::renumber(const std::vector<int> &shape_now, MoverState &state, Memory &memory) {
-  const auto now = [&](double saved) {
-    return saved >= 1 && saved <= static_cast<double>(shape_now.size())
-               ? shape_now[static_cast<size_t>(saved) - 1]
-               : 0;
-  };
-  for (Stuck &at : memory.stuck)
-    at.shape = now(at.shape);
-  for (Rest &rest : memory.rests)
-    rest.shape = now(rest.shape);
-  memory.rests.erase(std::remove_if(memory.rests.begin(), memory.rests.end(),
-                                    [](const Rest &rest) { return !(rest.shape >= 1); }),
-                     memory.rests.end());
-  if (memory.rests.empty() && state.status < 0)
-    state.status = static_cast<double>(Status::FREE);
-}
-
-void Box::bring_near(const double near[3], double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
-}
-
 /* ---- how it moves -----------------------------------------------------------------------------
  */
 
@@ -129,9 +106,6 @@ void asperity::stick(const Touch &touch, const Mover &mover, const Movers &mover
     memcpy(at.axes, mover.axes, sizeof at.axes);
   carry(*touch.wall, movers, mover.i, left);
 }
-
-/* A stuck particle has been displaced if it is off its place by this share of its radius. */
-static const double DISPLACED = 1e-3;
 
 int Stepper::free_displaced(const Spheres &s, double moved) {
   int count = 0;
