@@ -187,7 +187,7 @@ void Flight::advance(const Touch &touch, double v[3]) {
   aspi_copy(v, begin);
 }
 
-/* Along a direction, the mean of what acts for the rest of the step. */
+/* Adds the mean velocity change along n during the rest of the step. */
 void Flight::act_along(const double n[3], double ahead[3]) const {
   aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(free, n) - aspi_dot(ahead, n), n, ahead);
 }

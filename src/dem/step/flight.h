@@ -35,8 +35,8 @@ struct Touch {
 };
 
 struct Flight {
-  /* A sustained contact as it began. Where it met the wall last, the normal was n, and the path
-   * needs the least speed along n_end. */
+  /* A sustained contact as it began. n: normal at the last contact. The path must move at least
+   * `least_speed` along n_end. */
   struct Sustained {
     Touch touch;
     double least_speed, n[3], n_end[3];
@@ -53,9 +53,9 @@ struct Flight {
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
   double free[3];             /* a0 without the walls at which it rests */
 
-  /* Of a body: the angular velocity of this stretch of its path, and how long that is; the angular
-   * momentum per mass; what turns the path alone: walls that it follows, and the engine's rounding.
-   */
+  /* Of a body. turning, stretch: angular velocity of this stretch of its path, and how long that
+   * takes. momentum: angular, per mass. lift: extra angular velocity of the path only, by walls
+   * that it follows and by the engine's rounding. */
   double turning[3], stretch, momentum[3], lift[3];
   bool is_led; /* no wall has changed its way */
 

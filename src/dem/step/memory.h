@@ -125,7 +125,7 @@ struct Memories {
     of.stuck.resize(1);
     return of.stuck[0];
   }
-  /* Only the list of the present status has something in it. */
+  /* Clears the lists that do not belong to this status. */
   void set_status(int i, Status now);
   /* False if the status has no list behind it: a sphere shows that of the body that it was part of.
    */

@@ -155,8 +155,8 @@ void Stepper::drop_load(StuckOne &at, double share) {
   at.was_stopped = at.is_kept = false;
 }
 
-/* A particle that a wall at rest stops again and again, as against gravity, costs no more than its
- * place and velocity: the books keep the load. */
+/* If a stuck particle has the same velocity and mass as in the last step, its load is unchanged:
+ * the books keep it, and only x and v are reset. */
 void Stepper::carry_stuck(const Movers &movers) {
   is_in_step = is_still = true;
   for (const Member &member : setup.shapes)
