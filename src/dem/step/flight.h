@@ -121,6 +121,12 @@ void set_support(const Mover &mover, const Stepper &wall, size_t shape, size_t s
 void add_load(const Mover &mover, const double x[3], const Touch &touch, const Support &support,
               const double v[3], const double spin[3]);
 
+/* search.cpp: the first contacts of the rest of the path. Where a body turns so far that its
+ * spheres may be off straight paths, they are searched by wider spheres, and where those meet a
+ * wall in shorter stretches. False: there are none, and the flight is in the last stretch of its
+ * path. */
+bool find_next(const std::vector<Stepper *> &walls, Flight &flight, std::vector<Touch> &touches);
+
 /* A contact, and the face of the rough wall there. */
 struct Site {
   Flight &flight;
