@@ -11,20 +11,11 @@
 
 #include <stdbool.h>
 
+#include "contact/tolerances.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Tolerance of contact, in radii of the sphere. */
-#define CONTACT_TOLERANCE 1e-10
-
-/* A sphere approaches a wall if its normal speed is a larger share of its speed; less is rounding.
- */
-#define CONTACT_APPROACH 1e-13
-
-/* A sphere that touches a hollow wall slides along it if its normal speed is a smaller share of its
- * speed. */
-#define CONTACT_SLIDES 1e-6
 
 /* The center of a sphere moves from x with velocity v for the time `left`. */
 typedef struct ContactPath {

@@ -41,28 +41,27 @@ bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path
   if (!(square > 0))
     return false;
   const double rate = aspi_dot(arm, v), speed = sqrt(square);
-  const bool touches = inside && fabs(distance - touching) <= CONTACT_TOLERANCE * radius;
+  const bool touches = inside && fabs(distance - touching) <= TOUCHING * radius;
   const bool wide = inside && !(touching > 0); /* it goes back to the axis at the end */
   double time =
       wide ? path->left : chord_time(inside, touches ? touching : distance, touching, rate, square);
   if (!(time <= latest))
     return false;
   /* One that slides along the inside leaves the curve by its straight path: it touches now. */
-  if (touches && !wide && time < path->left && fabs(rate) <= CONTACT_SLIDES * speed * distance)
+  if (touches && !wide && time < path->left && fabs(rate) <= GRAZING * speed * distance)
     time = 0;
   aspi_add_scaled(arm, time, v, n);
   if (inside)
     aspi_scale(-1, n);
   const double length = aspi_length(n), approach = -aspi_dot(v, n);
-  const bool slides =
-      inside && time < path->left && fabs(approach) <= CONTACT_SLIDES * speed * length;
-  if (!(length > 0) || !(wide || slides || approach > CONTACT_APPROACH * speed * length))
+  const bool slides = inside && time < path->left && fabs(approach) <= GRAZING * speed * length;
+  if (!(length > 0) || !(wide || slides || approach > APPROACH * speed * length))
     return false;
   touch->time = time;
   aspi_copy(n, touch->n);
   aspi_scale(1 / length, touch->n);
   touch->overlap = inside ? length - touching : touching - length;
-  if (touch->overlap <= CONTACT_TOLERANCE * radius)
+  if (touch->overlap <= TOUCHING * radius)
     touch->overlap = 0;
   touch->edge_sine = 0;
   touch->overlapped = touch->overlap > 0;

@@ -13,12 +13,12 @@ bool aspi_plane_find(const ContactPlane *plane, const ContactPath *path, double 
   const bool centered = fabs(off) <= 1e-12 * radius;
   const double side = centered ? (v > 0 ? -1 : 1) : off > 0 ? 1 : -1;
   const double approach = -side * v, gap = fabs(off) - radius;
-  if (!(approach > CONTACT_APPROACH * aspi_length(path->v)))
+  if (!(approach > APPROACH * aspi_length(path->v)))
     return false;
   touch->time = gap > 0 ? gap / approach : 0;
   if (!(touch->time <= latest))
     return false;
-  touch->overlap = gap < -CONTACT_TOLERANCE * radius ? -gap : 0;
+  touch->overlap = gap < -TOUCHING * radius ? -gap : 0;
   touch->edge_sine = 0;
   touch->overlapped = centered || touch->overlap > 0;
   for (int d = 0; d < 3; d++)

@@ -9,9 +9,6 @@
 /* A flatter triangle, by height over longest edge, has no well-defined plane. */
 static const double SLIVER = 1e-3;
 
-/* Triangles in one plane but for this share of the sphere's radius. */
-static const double FLAT = 1e-7;
-
 enum { CONTACT_SKIPPED = 3 };
 
 /* The sphere, and the box around it. */
@@ -139,7 +136,7 @@ typedef struct Planes {
 } Planes;
 
 static Planes planes_of(const ContactTree *tree, const int *id, int count, double reach) {
-  Planes planes = {.count = 0, .flat = FLAT * reach};
+  Planes planes = {.count = 0, .flat = ONE_PLACE * reach};
   for (int k = 0; k < count && k < CONTACT_SKIPPED; k++) {
     const int place = aspi_tree_place(tree, id[k]);
     if (place < 0)

@@ -11,9 +11,6 @@
 
 static const int NEWTON_MAX = 60;
 
-/* A triangle whose height is less than this share of its longest edge has no face. */
-static const double DEGENERATE = 1e-12;
-
 /* The nearest point of the edge from a to b. */
 static double nearest_on_edge(const double a[3], const double b[3], const double x[3],
                               double nearest[3]) {
@@ -37,7 +34,7 @@ static bool face_normal(const ContactTriangle *triangle, double normal[3], doubl
   const double b = aspi_dot(ab, ab), c = aspi_dot(ac, ac), d = aspi_dot(bc, bc);
   const double longest = b > c ? b : c; /* fmax would be a call */
   *length = aspi_length(normal);
-  return *length > DEGENERATE * (longest > d ? longest : d);
+  return *length > SUM_ROUNDING * (longest > d ? longest : d);
 }
 
 /* True if the foot of x on the triangle's plane lies inside all three edges. */
@@ -159,9 +156,9 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
     aspi_subtract(x, nearest, arm);
     normal_at(triangle, path, radius, arm, distance, touch);
     const double gap = distance - radius, approach = -aspi_dot(path->v, touch->n);
-    if (!(approach > CONTACT_APPROACH * speed))
+    if (!(approach > APPROACH * speed))
       return false;
-    if (fabs(gap) <= CONTACT_TOLERANCE * radius)
+    if (fabs(gap) <= TOUCHING * radius)
       break;
     if (gap < 0 && time <= 0) {
       touch->overlapped = true;

@@ -15,31 +15,8 @@ using namespace asperity;
 
 const char Wall::KEYWORDS[] = "ledger torque_about interlock ";
 
-/* ---- the setup --------------------------------------------------------------------------------
+/* ---- the command ------------------------------------------------------------------------------
  */
-
-Setup::Setup(const Engine &of)
-    : engine(of), model(of), key(asp_key_wall(of.id().c_str())),
-      stay_key(asp_key_wall((of.id() + " stays").c_str())), interlocks(true), groupbit(1), box(),
-      clock(), dt(0) {}
-
-/* One formula for the time of a step, whether or not the run was interrupted before it. */
-void Setup::set_clock(int64_t step, double now_dt) {
-  const double now = static_cast<double>(step);
-  dt = now_dt;
-  if (!(clock.dt > 0))
-    clock = Clock{engine.time(), now, dt};
-  else if (clock.dt < dt || clock.dt > dt)
-    clock = Clock{time(now), now, dt};
-}
-
-bool Setup::repeats() const {
-  bool all = true;
-  for (const Member &member : shapes)
-    for (int d = 0; d < 3; d++)
-      all = all && (!(box.period[d] > 0) || member.shape->repeats(d));
-  return all;
-}
 
 /* A shape with another kind of lay than the description. */
 static void check_lay(const Setup &setup) {
@@ -73,9 +50,6 @@ static std::vector<int> wall_types(const Setup &setup) {
       types.push_back(member.wall_type);
   return types;
 }
-
-/* ---- the command ------------------------------------------------------------------------------
- */
 
 Wall::Wall(const Engine &engine)
     : setup(engine), books(setup), stepper(setup, books), fastest_(0), warned_(false) {}

@@ -16,13 +16,14 @@
 #include "contact/vector.h"
 
 using namespace LAMMPS_NS;
+using asperity::APPROACH;
+using asperity::AT_ONCE;
 using asperity::Contact;
+using asperity::GRAZING;
 using asperity::Path;
+using asperity::TOUCHING;
 
 namespace {
-
-/* How closely a sphere that a moving part takes along keeps its distance in a step, in radii. */
-const double KEEPS = 1e-6;
 
 /* How well a curve and a motion are known, as shares of what they do to a path. */
 const double MEASURED = 1e-3;
@@ -44,7 +45,7 @@ struct RegionShape::Search {
   double fastest; /* of the sphere relative to any face */
 
   Search(const RegionShape &s, const Path &p, double r)
-      : shape(s), path(p), radius(r), tolerance(CONTACT_TOLERANCE * r), fastest(0) {
+      : shape(s), path(p), radius(r), tolerance(TOUCHING * r), fastest(0) {
     const double most = aspi_length(p.v) + s.speed_;
     for (const RegionPart &part : s.parts_)
       fastest = std::max(fastest, std::min(most, part.fastest(p, most)));
@@ -83,7 +84,7 @@ void RegionShape::Search::look(double time, Look &l) const {
   l.in_room = shape.open_ || shape.in_room(shape.root_, false, l.x);
   l.feet.clear();
   shape.find_feet(shape.root_, false, l.x,
-                  (1 + 2 * KEEPS) * radius + fastest * std::max(0.0, path.left - time), l.feet);
+                  (1 + 2 * AT_ONCE) * radius + fastest * std::max(0.0, path.left - time), l.feet);
 }
 
 /* The velocity of the foot, and of the sphere relative to it. */
@@ -106,13 +107,13 @@ double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &coun
   double v_wall[3], v[3];
   relative(l, foot, v_wall, v);
   const double speed = -aspi_dot(v, foot.n), all = aspi_length(v);
-  const bool slides = foot.hollow > 0 && fabs(speed) <= CONTACT_SLIDES * all;
+  const bool slides = foot.hollow > 0 && fabs(speed) <= GRAZING * all;
   const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
-  counts = speed > (foot.hollow > 0 ? CONTACT_SLIDES : CONTACT_APPROACH) * all;
+  counts = speed > (foot.hollow > 0 ? GRAZING : APPROACH) * all;
   if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
     const double bend = (rides ? acceleration(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
     const double mean = 0.5 * (path.left - l.time) * bend;
-    counts = speed + mean > CONTACT_APPROACH * all + MEASURED * fabs(mean);
+    counts = speed + mean > APPROACH * all + MEASURED * fabs(mean);
   }
   return speed;
 }
@@ -120,7 +121,7 @@ double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &coun
 /* How far from a face a sphere is at it: at the beginning of a path, as far as one that rides on a
  * moving part is off. */
 double RegionShape::Search::near(const Look &l, const Foot &foot) const {
-  return shape.parts_[foot.part].moves() && !(l.time > 0) ? KEEPS * radius : tolerance;
+  return shape.parts_[foot.part].moves() && !(l.time > 0) ? AT_ONCE * radius : tolerance;
 }
 
 /* The acceleration along n that keeps the center at a face as that moves. */
@@ -196,7 +197,7 @@ bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
   for (const Foot &other : begin.feet)
     was_there = was_there || (other.face == foot.face && other.inside == foot.inside &&
                               other.distance - radius <= near(begin, other));
-  return was_there && shape.parts_[foot.part].moves() && radius - foot.distance <= KEEPS * radius;
+  return was_there && shape.parts_[foot.part].moves() && radius - foot.distance <= AT_ONCE * radius;
 }
 
 /* Between a place before the contact and one behind it, until one is at it. Along a face the

@@ -93,8 +93,9 @@ public:
   void count(const Impact &impact);
   void add_load(size_t shape, const ContactLoad &load);
 
-  /* Loads that stuck particles give in both halves of each step, until they end after a share of
-   * one: at x, from v, with this mass. And all of them, once in each half. */
+  /* keep_load: repeats this load of a stuck particle, at x, from v, with this mass, in every half
+   * step. drop_load: stops repeating it; `share` of the current step has passed. add_kept_loads:
+   * adds all repeated loads once. */
   void keep_load(int i, const double x[3], const double v[3], double mass);
   void drop_load(int i, const double x[3], const double v[3], double mass, double share);
   void add_kept_loads() {

@@ -19,21 +19,12 @@ namespace {
 const double PIECE = 16;
 const size_t MANY = 64;
 
-/* In radii; see same_instant(). */
-const double GRAZING = 1e-7;
-
-/* Two faces are one where the cosine between their normals differs from 1 by less. */
-const double FLAT = 1e-9;
-
-/* Sine of the angle to the face from which on a contact is one with an edge or a corner. */
-const double EDGE = 1e-6;
-
 /* How much later than `touch` another contact may be to be at the same instant: as far as the
  * instant is known, which is not well where the sphere grazes the wall, but no more than a small
  * share of the time in which it moves by its radius. */
 double same_instant(const ContactTouch &touch, const ContactPath &path, double radius) {
-  const double by_gap = 2 * CONTACT_TOLERANCE * radius / -aspi_dot(path.v, touch.n);
-  return std::min(by_gap, GRAZING * radius / aspi_length(path.v));
+  const double by_gap = 2 * TOUCHING * radius / -aspi_dot(path.v, touch.n);
+  return std::min(by_gap, ONE_PLACE * radius / aspi_length(path.v));
 }
 
 } // namespace
@@ -224,7 +215,7 @@ void MeshShape::set_contact(const Path &path, const ContactPath &local, const Sh
   contact.closing = -aspi_dot(local.v, touch.n);
   contact.piece = aspi_tree_id(tree_.get(), place.piece);
   contact.face = aspi_tree_id(tree_.get(), place.face);
-  if (touch.edge_sine > EDGE)
+  if (touch.edge_sine > GRAZING)
     contact.face = ~contact.face;
   aspi_add_scaled(local.x, touch.time, local.v, center);
   aspi_add_scaled(center, touch.overlap, touch.n, center);
@@ -278,7 +269,7 @@ bool MeshShape::under(int face, const double x[3], const double v[3], double rea
         aspi_triangle_normal(triangle, other);
         aspi_tree_distance(tree, at, reach, &place);
         if (place < 0 || !aspi_triangle_is_under(aspi_tree_triangle(tree, place), at, normal) ||
-            fabs(aspi_dot(normal, other)) < 1 - FLAT)
+            fabs(aspi_dot(normal, other)) < 1 - ROUNDING)
           continue;
         triangle = aspi_tree_triangle(tree, place);
         contact.face = aspi_tree_id(tree, place);

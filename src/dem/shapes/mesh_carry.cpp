@@ -9,16 +9,6 @@
 
 using namespace asperity;
 
-namespace {
-
-/* How closely a particle that a belt takes along keeps its distance, in radii. */
-const double KEEPS = 1e-6;
-
-/* A center is over a face if the cosine to its normal differs from 1 by less. */
-const double FLAT = 1e-9;
-
-} // namespace
-
 bool MeshShape::is_still() const {
   return motion_.in_world() && !motion_.moves() && !runs();
 }
@@ -65,15 +55,15 @@ bool MeshShape::walk(Place &place, double radius, double dt) const {
   surface_velocity(place.piece, foot, v);
   aspi_add_scaled(place.at, dt, v, there);
   int to;
-  const double reach = radius + aspi_length(v) * dt + KEEPS * radius;
+  const double reach = radius + aspi_length(v) * dt + AT_ONCE * radius;
   const double distance = aspi_tree_distance(tree, there, reach, &to);
-  if (to < 0 || distance < (1 - KEEPS) * radius)
+  if (to < 0 || distance < (1 - AT_ONCE) * radius)
     return false;
   aspi_triangle_nearest(aspi_tree_triangle(tree, to), there, foot);
   aspi_subtract(there, foot, arm);
   double normal[3];
   aspi_triangle_normal(aspi_tree_triangle(tree, to), normal);
-  if (fabs(aspi_dot(arm, normal)) < (1 - FLAT) * distance) /* beyond an edge */
+  if (fabs(aspi_dot(arm, normal)) < (1 - ROUNDING) * distance) /* beyond an edge */
     return false;
   place.piece = aspi_tree_id(tree, to);
   aspi_add_scaled(foot, radius / distance, arm, place.at);

@@ -97,8 +97,8 @@ const std::vector<MeshShape::Shift> &MeshShape::images(const Bounds &region) con
   return shifts_;
 }
 
-/* The images that a sphere may meet on its course in so many steps, which become fewer so that
- * sphere and mesh move by no more than a period: none if they do so in one. */
+/* Images the sphere may meet. Shortens `steps` so that sphere and mesh move less than one period; 0
+ * if one step is already longer. */
 const std::vector<MeshShape::Shift> &MeshShape::images_ahead(const Course &course,
                                                              double &steps) const {
   for (int d = 0; d < 3; d++)

@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "contact/tolerances.h"
 #include "contact/vector.h"
 
 using namespace asperity;
@@ -15,9 +16,6 @@ namespace {
 
 /* Below this angle (rad) series take the place of quotients that lose their digits. */
 const double SMALL = 1e-2;
-
-/* A drift that is a smaller share of a point's velocity is the rounding of places. */
-const double DRIFT_LEAST = 1e-9;
 
 /* (1 - cos a)/a^2 and (a - sin a)/a^3 */
 double cosine_rest(double a) {
@@ -219,7 +217,7 @@ void Motion::velocity(double s, const double x[3], double v[3]) const {
   begin_velocity_.velocity(x, begin);
   end_velocity_.velocity(x, end);
   drift_.velocity(x, drift);
-  const bool rounding = aspi_length(drift) < DRIFT_LEAST * (aspi_length(begin) + aspi_length(end));
+  const bool rounding = aspi_length(drift) < ROUNDING * (aspi_length(begin) + aspi_length(end));
   for (int d = 0; d < 3; d++)
     v[d] = begin[d] + s * (end[d] - begin[d]) + (rounding ? 0 : drift[d]);
 }

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 
+#include "contact/tolerances.h"
 #include "contact/vector.h"
 
 using namespace asperity;
-
-/* Vectors are parallel within this angle, rad: nodes of an STL file may be in single precision. */
-static const double PARALLEL = 1e-6;
 
 void Shape::stick(const Path &, const Contact &contact, Place &place) const {
   place.piece = contact.piece;
@@ -24,5 +22,5 @@ void Shape::turn(const Place &, double, double, double[3][3], double omega[3]) c
 bool Shape::are_parallel(const double a[3], const double b[3]) {
   double across[3];
   aspi_cross(a, b, across);
-  return aspi_length(across) <= PARALLEL * aspi_length(a) * aspi_length(b);
+  return aspi_length(across) <= GRAZING * aspi_length(a) * aspi_length(b);
 }

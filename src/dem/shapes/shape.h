@@ -121,7 +121,7 @@ public:
   virtual bool under(int face, const double x[3], const double v[3], double reach, Contact &at,
                      double &distance) const = 0;
 
-  /* True if carry() leaves a particle in this step where the step before has left it, at rest. */
+  /* True if stuck particles do not move in this step. */
   virtual bool is_still() const {
     return false;
   }

@@ -62,8 +62,8 @@ private:
   const Memories &rows_;
   const bool are_bodies_;
   int now_; /* steps are counted from the beginning of the run */
-  /* For each particle, the first step in which it may touch if it keeps this velocity, not counting
-   * faces at which it stays. Negative: it counts as near until that step. */
+  /* Earliest step in which each particle may touch a face it is not resting on. If negative: treat
+   * it as near until step -due. */
   std::vector<int> due_;
   std::vector<float> v_;     /* rows of three */
   std::vector<int64_t> tag_; /* of whom this is */

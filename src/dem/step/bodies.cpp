@@ -93,8 +93,8 @@ void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
 }
 
 /* A body of three different moments turns in parts of this angle at most, rad; the less they
- * differ, the larger are the parts. Below FREE, rad, the difference turns nothing. */
-static const double PART = 0.05, FREE = 1e-12;
+ * differ, the larger are the parts. */
+static const double PART = 0.05;
 
 /* Turns a body about its axis k by an angle per component of the momentum. */
 static void turn_about_own(int k, double angle, const double momentum[3], double axes[3][3]) {
@@ -126,7 +126,7 @@ void asperity::turn_free(const double inertia[3], const double momentum[3], doub
                apart = rate[other] - across;
   const double l = aspi_length(momentum), l_own = aspi_dot(momentum, axes[own]);
   const double wobble = fabs(apart * time) * l;
-  if (!(wobble > FREE))
+  if (!(wobble > SUM_ROUNDING))
     turn_about_own(own, spin * time, momentum, axes);
   else {
     const double fifth = 1 / (4 - cbrt(4.0)); /* the energy limits the component along `own` */

@@ -23,16 +23,8 @@ namespace {
 
 typedef std::vector<Stepper *> Walls;
 
-/* A sphere rests at a face while the gap between them is less than GAP radii; less than ROUNDED_OFF
- * is rounding. It leaves a face that does not press it if it moves off by more than PARTS radii in
- * a step. */
-const double GAP = 0.01, ROUNDED_OFF = 1e-10, PARTS = 1e-9;
-
 /* The most impacts in one step whose forces are looked at; of more, each is a small share of it. */
 const size_t NOTED_MOST = 32;
-
-/* Cosine below which two directions are at right angles. */
-const double ACROSS = 1e-9;
 
 /* A mover at the end of a step, as it would be without the walls. */
 struct AtEnd : Instant {
@@ -70,7 +62,7 @@ bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double 
   aspi_copy(NONE, contact.v_wall);
   contact.follow = contact.curve = 0;
   if (!wall.setup.shapes[touch.shape].shape->under(static_cast<int>(rest.face), contact.x, u,
-                                                   (1 + GAP) * mover.sphere[touch.sphere].radius,
+                                                   (1 + NEAR) * mover.sphere[touch.sphere].radius,
                                                    contact, distance))
     return false;
   contact.piece = contact.face < 0 ? ~contact.face : contact.face;
@@ -170,7 +162,7 @@ bool Resting::find(const Walls &walls, AtEnd &now, const double v[3], const doub
       double rises = 0.5 * now.dt * (contact.follow + contact.curve);
       if (!(off < OVERLAP * radius))
         mover.members(*wall).ahead.expire(mover.i);
-      else if (fabs(off) > ROUNDED_OFF * radius)
+      else if (fabs(off) > TOUCHING * radius)
         rises += off / now.dt;
       aspi_add_scaled(support.w, rises, contact.n, support.w);
     }
@@ -187,7 +179,7 @@ bool lifts_off(const AtEnd &now, const Touch &at, const Support &support, const 
   aspi_cross(spin, support.arm, u);
   aspi_add_scaled(u, 1, v, u);
   aspi_subtract(u, support.w, u);
-  return aspi_dot(u, support.n) * now.dt > PARTS * now.mover.sphere[at.sphere].radius;
+  return aspi_dot(u, support.n) * now.dt > ROUNDING * now.mover.sphere[at.sphere].radius;
 }
 
 /* Notes and counts what has held the mover. */
@@ -261,7 +253,7 @@ bool Resting::hold(const Walls &walls, AtEnd &now) {
 
 /* True if a change of velocity is not across n, to rounding. */
 static bool changes_along(const double n[3], const double change[3]) {
-  return fabs(aspi_dot(change, n)) > ACROSS * aspi_length(change);
+  return fabs(aspi_dot(change, n)) > ROUNDING * aspi_length(change);
 }
 
 /* Forces that change within a step do work before and after the rebound. Their value at the end of
@@ -383,9 +375,6 @@ static void end_movers(const Walls &walls, const Movers &movers) {
               [&](const Walls &held_by, int i) { end_one(held_by, movers, i, resting); });
 }
 
-/* A set-up has other forces if they differ by more than this share. */
-static const double SAME_FORCE = 1e-9;
-
 /* Where the script has changed the forces, the walls' old ones would move what rests, and the next
  * step finds new ones. */
 void asperity::push_again(const Walls &walls, const Movers &movers) {
@@ -396,7 +385,7 @@ void asperity::push_again(const Walls &walls, const Movers &movers) {
     Instant now;
     movers.read_rates(mover, now);
     aspi_subtract(now.a, before, change);
-    if (aspi_length(change) > SAME_FORCE * aspi_length(before))
+    if (aspi_length(change) > ROUNDING * aspi_length(before))
       return;
     sum_pushes(held_by, mover, push, twist);
     movers.push(mover, push, twist);

@@ -13,9 +13,8 @@ using namespace asperity;
 
 namespace {
 
-/* Two contacts are one where the cosine between their normals differs from 1 by less; on one face,
- * which may be curved, by less than TURNED. */
-const double SAME = 1e-9, TURNED = 0.01;
+/* ROUNDING of the normals of one face, which may be curved. */
+const double TURNED = 0.01;
 
 /* The largest turn of a body's step, rad, by which the engine may differ from a free motion: from
  * there on the engine's is none. */
@@ -188,7 +187,7 @@ void Flight::advance(const Touch &touch, double v[3]) {
   aspi_copy(v, begin);
 }
 
-/* Along a direction, the mean of what acts for the rest of the step. */
+/* Adds the mean velocity change along n during the rest of the step. */
 void Flight::act_along(const double n[3], double ahead[3]) const {
   aspi_add_scaled(ahead, 0.5 * path.left * aspi_dot(free, n) - aspi_dot(ahead, n), n, ahead);
 }
@@ -236,7 +235,8 @@ bool Flight::has_strayed(const double v[3], double most) const {
 /* Faces of a flat mesh count as one. */
 bool Flight::Sustained::is_at(const Touch &now) const {
   return touch.wall == now.wall && touch.shape == now.shape && touch.sphere == now.sphere &&
-         aspi_dot(n, now.contact.n) > 1 - (touch.contact.face == now.contact.face ? TURNED : SAME);
+         aspi_dot(n, now.contact.n) >
+             1 - (touch.contact.face == now.contact.face ? TURNED : ROUNDING);
 }
 
 Flight::Sustained *Flight::find_sustained(const Touch &touch) {
@@ -263,7 +263,7 @@ void Flight::sustain(const Touch &touch, double hold) {
   const Contact &contact = touch.contact;
   const double speed = aspi_length(touch.before.v) + aspi_length(contact.v_wall);
   const double least_speed = along_path(touch, contact.n_end) +
-                             (1 + ROUNDING) * std::max(0.0, contact.closing) + EPSILON * speed;
+                             (1 + ROUNDING) * std::max(0.0, contact.closing) + SUM_ROUNDING * speed;
   is_led = false;
   if (Sustained *one = find_sustained(touch)) {
     one->least_speed = least_speed;

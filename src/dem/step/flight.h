@@ -13,12 +13,6 @@
 
 namespace asperity {
 
-/* Sine of the angle to the wall below which a particle slides. */
-const double GRAZING = 1e-6;
-
-/* Relative rounding of sums. */
-const double EPSILON = 1e-12;
-
 /* The angle by which a wall's curve may turn a mover that rests at it in a step, rad. */
 const double CURVE = 0.1;
 
@@ -41,8 +35,8 @@ struct Touch {
 };
 
 struct Flight {
-  /* A sustained contact as it began. Where it met the wall last, the normal was n, and the path
-   * needs the least speed along n_end. */
+  /* A sustained contact as it began. n: normal at the last contact. The path must move at least
+   * `least_speed` along n_end. */
   struct Sustained {
     Touch touch;
     double least_speed, n[3], n_end[3];
@@ -59,9 +53,9 @@ struct Flight {
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
   double free[3];             /* a0 without the walls at which it rests */
 
-  /* Of a body: the angular velocity of this stretch of its path, and how long that is; the angular
-   * momentum per mass; what turns the path alone: walls that it follows, and the engine's rounding.
-   */
+  /* Of a body. turning, stretch: angular velocity of this stretch of its path, and how long that
+   * takes. momentum: angular, per mass. lift: extra angular velocity of the path only, by walls
+   * that it follows and by the engine's rounding. */
   double turning[3], stretch, momentum[3], lift[3];
   bool is_led; /* no wall has changed its way */
 
@@ -126,6 +120,12 @@ void set_support(const Mover &mover, const Stepper &wall, size_t shape, size_t s
 /* Counts the load of a solved contact of a mover at x, which leaves it this velocity and spin. */
 void add_load(const Mover &mover, const double x[3], const Touch &touch, const Support &support,
               const double v[3], const double spin[3]);
+
+/* search.cpp: the first contacts of the rest of the path. Where a body turns so far that its
+ * spheres may be off straight paths, they are searched by wider spheres, and where those meet a
+ * wall in shorter stretches. False: there are none, and the flight is in the last stretch of its
+ * path. */
+bool find_next(const std::vector<Stepper *> &walls, Flight &flight, std::vector<Touch> &touches);
 
 /* A contact, and the face of the rough wall there. */
 struct Site {

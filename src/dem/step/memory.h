@@ -12,13 +12,9 @@
 #include <memory>
 #include <vector>
 
+#include "contact/tolerances.h"
+
 namespace asperity {
-
-/* A sphere that rests at a face overlaps it by less, in radii. */
-const double OVERLAP = 1e-5;
-
-/* Relative rounding of velocities, times and distances that are compared. */
-const double ROUNDING = 1e-9;
 
 /* The values are in restart files, and per-atom output shows them: 1 is stuck, less than 0 is at
  * the wall in this step. */
@@ -129,7 +125,7 @@ struct Memories {
     of.stuck.resize(1);
     return of.stuck[0];
   }
-  /* Only the list of the present status has something in it. */
+  /* Clears the lists that do not belong to this status. */
   void set_status(int i, Status now);
   /* False if the status has no list behind it: a sphere shows that of the body that it was part of.
    */

@@ -13,18 +13,11 @@ using namespace asperity;
 
 namespace {
 
-/* A sphere is about the center of mass if it is off by less than this share of its radius: engines
- * find the center by random points. */
-const double CENTRAL = 0.01;
-
-/* Inertia is that of a ball to within rounding. */
-const double ROUND = 1e-12;
-
 bool is_round(const Body &body, const BodySphere &one) {
   const double of_ball = 0.4 * body.mass * one.radius * one.radius;
-  bool all = body.count == 1 && aspi_length(one.arm) <= ROUND * one.radius;
+  bool all = body.count == 1 && aspi_length(one.arm) <= SUM_ROUNDING * one.radius;
   for (int k = 0; k < 3; k++)
-    all = all && fabs(body.inertia[k] - of_ball) <= ROUND * of_ball;
+    all = all && fabs(body.inertia[k] - of_ball) <= SUM_ROUNDING * of_ball;
   return all;
 }
 
@@ -121,7 +114,7 @@ size_t Mover::anchor(const Stuck &at) const {
 }
 
 bool Mover::is_central(size_t k) const {
-  return is_ball || aspi_length(sphere[k].arm) < CENTRAL * sphere[k].radius;
+  return is_ball || aspi_length(sphere[k].arm) < NEAR * sphere[k].radius;
 }
 
 /* ---- all of them ------------------------------------------------------------------------------

@@ -126,7 +126,7 @@ public:
   size_t number_of(double tag) const;
   size_t anchor(const Stuck &at) const;
 
-  /* True if a sphere is about the center of mass, as far as engines find that. */
+  /* True if the sphere is centered on the center of mass, within the engine's accuracy. */
   bool is_central(size_t k) const;
 
   /* From the center of mass to the center of a sphere. */

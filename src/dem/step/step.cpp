@@ -26,43 +26,19 @@
 #include "dem/step/flight.h"
 
 #include <math.h>
-#include <string.h>
 #include <algorithm>
 
 #include "asperity_internal.h"
-#include "contact/contact.h"
 #include "contact/vector.h"
-#include "dem/error.h"
-#include "dem/text.h"
 
 using namespace asperity;
 
 namespace {
 
-/* Contacts are in a row if they are within this share of the radius. After SERIES of them for each
- * sphere, as between closing walls, all are taken as sustained. After twice as many the search ends
- * for this step; the mover is trapped if there were impacts among them. */
+/* Contacts are in a row if they are NEAR each other. After SERIES of them for each sphere, as
+ * between closing walls, all are taken as sustained. After twice as many the search ends for this
+ * step; the mover is trapped if there were impacts among them. */
 const int SERIES = 16;
-const double NEAR = 0.01;
-
-/* An overlap of less than this many radii is rounding: particles in a settled bed have up to 1e-6.
- */
-const double ROUNDED = 1e-5;
-
-/* A mover that comes to rest at a wall out of an overlap of more than this many radii was put
- * there; less is how a wall that turns moves into it within a step. */
-const double DEEP = 1e-3;
-
-/* GRAZING of a mover that stays at a wall: an overlap of 1e-10 radii, which is rounding, puts it at
- * the edges of the coplanar faces ahead, whose normals are off by sqrt(2e-10) there. */
-const double ON_EDGES = 1.5e-5;
-
-/* Contacts of several spheres are at one instant if the gap between them is less than this share of
- * the radius. */
-const double AT_ONCE = 1e-6;
-
-/* The path of a sphere of a body is straight if it is off by less than this share of the radius. */
-const double STRAIGHT = 2e-6;
 
 /* Contacts of one mover in one step, at most. */
 const int CONTACTS_MOST = 10000;
@@ -79,118 +55,6 @@ typedef std::vector<Stepper *> Walls;
 
 } // namespace
 
-/* ---- the search -------------------------------------------------------------------------------
- */
-
-/* The first contact of one sphere in this stretch, before that of other spheres. An edge is met at
- * one instant by all that share it: the contact is that of the first wall and shape. wider: by how
- * much the sphere may be off its path. */
-static bool find_first(const Walls &walls, const Flight &flight, size_t sphere, double wider,
-                       double latest, Touch &touch) {
-  const BodySphere &one = flight.mover.sphere[sphere];
-  const double same = 2 * CONTACT_TOLERANCE * one.radius;
-  touch.wall = NULL;
-  touch.sphere = sphere;
-  touch.before = flight.path_of(sphere);
-  for (Stepper *wall : walls) {
-    if (!(one.mask & wall->setup.groupbit) ||
-        (!flight.searches_all && !wall->grains.ahead.is_near(flight.mover.i)))
-      continue;
-    for (size_t m = 0; m < wall->setup.shapes.size(); m++) {
-      Contact other;
-      if (!wall->setup.shapes[m].shape->find(touch.before, one.radius + wider,
-                                             touch.wall ? touch.contact.time : latest, other))
-        continue;
-      if (touch.wall && !((touch.contact.time - other.time) * other.closing > same))
-        continue;
-      touch.wall = wall;
-      touch.shape = m;
-      touch.contact = other;
-    }
-  }
-  return touch.wall;
-}
-
-/* The first contacts in a stretch, one of each sphere and all at one instant. */
-static bool search(const Walls &walls, const Flight &flight, double wider,
-                   std::vector<Touch> &touches) {
-  const double speed = aspi_length(flight.path.v);
-  double first = flight.stretch;
-  touches.clear();
-  for (size_t k = 0; k < flight.mover.count; k++) {
-    Touch touch;
-    const double radius = flight.mover.sphere[k].radius;
-    const double slack = touches.empty() || !(speed > 0) ? 0 : AT_ONCE * radius / speed;
-    if (!find_first(walls, flight, k, wider, std::min(flight.stretch, first + slack), touch))
-      continue;
-    const double time = touch.contact.time;
-    if (touches.empty() || time < first) {
-      const auto is_later = [&](const Touch &one) { return one.contact.time > time + slack; };
-      touches.erase(std::remove_if(touches.begin(), touches.end(), is_later), touches.end());
-      first = time;
-    }
-    touches.push_back(touch);
-  }
-  if (touches.size() > 1)
-    std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
-      return one.contact.time < other.contact.time;
-    });
-  return !touches.empty();
-}
-
-/* For which time no wall is in reach of a body, however it turns. */
-static double time_clear(const Walls &walls, const Flight &flight) {
-  const Body &body = *flight.mover.body;
-  Course course;
-  course.widen = 0;
-  course.most = flight.path.left / flight.dt;
-  aspi_copy(flight.path.x, course.x);
-  aspi_copy(flight.path.v, course.v);
-  aspi_scale(flight.dt, course.v);
-  for (const Stepper *wall : walls)
-    for (const Member &member : wall->setup.shapes) {
-      course.reach = (1 + ROUNDING) * body.reach + member.shape->travel(flight.dt);
-      course.most = member.shape->clear(course, FaceList());
-    }
-  return course.most * flight.dt;
-}
-
-/* The first contacts of the rest of the path. Where a body turns so far that its spheres may be off
- * straight paths, they are searched by wider spheres, and where those meet a wall in shorter
- * stretches. False: there are none, and the flight is in the last stretch of its path. */
-static bool find_next(const Walls &walls, Flight &flight, std::vector<Touch> &touches) {
-  const double radius = flight.mover.sphere->radius, farthest = flight.farthest();
-  double angle = TURN;
-  touches.clear();
-  while (flight.path.left > 0) {
-    flight.aim(angle);
-    if (flight.stretch < flight.path.left) {
-      const double clear = time_clear(walls, flight);
-      if (clear > flight.stretch) {
-        flight.way +=
-            clear * (aspi_length(flight.path.v) + farthest * aspi_length(flight.spin)) / radius;
-        flight.leap(clear);
-        continue;
-      }
-    }
-    const double turns = flight.stretch * aspi_length(flight.turning);
-    const double bulge = farthest * turns * turns / 8;
-    const bool is_straight = !(bulge > STRAIGHT * radius);
-    if (search(walls, flight, is_straight ? 0 : bulge, touches)) {
-      if (is_straight)
-        return true;
-      angle = std::min(angle, turns) / 4;
-      continue;
-    }
-    if (!(flight.stretch < flight.path.left))
-      return false;
-    flight.way += (flight.stretch * aspi_length(flight.path.v) + farthest * turns) / radius;
-    flight.go_on(flight.stretch);
-    angle = std::min(TURN, 2 * angle);
-  }
-  return false;
-}
-
 /* From here on all walls are searched; predictions are void. */
 static void search_all(const Walls &walls, Flight &flight) {
   if (flight.searches_all)
@@ -202,97 +66,6 @@ static void search_all(const Walls &walls, Flight &flight) {
 
 /* ---- one contact ------------------------------------------------------------------------------
  */
-
-Site::Site(Flight &of, Touch &at, const double v[3])
-    : flight(of), mover(of.mover), touch(at), wall(*at.wall), contact(at.contact),
-      one(mover.sphere[at.sphere]), memory(mover.at(wall)), press(0), face(NULL), is_new(true),
-      moved(false) {
-  mover.arm(at.sphere, arm);
-  aspi_subtract(v, contact.v_wall, v1);
-}
-
-const asp_wall *Site::law() const {
-  const asp_wall *of = wall.setup.model.wall();
-  if (!of)
-    throw Error(text("particle %lld came to be after the run began, and the wall's tables need the "
-                     "diameters beforehand; make particles before 'run', or by a fix insert",
-                     static_cast<long long>(one.tag)));
-  return of;
-}
-
-void Site::sphere_velocity(double u[3]) const {
-  double across[3];
-  aspi_copy(v1, u);
-  if (mover.is_ball)
-    return;
-  aspi_cross(flight.spin, arm, across);
-  aspi_add_scaled(u, 1, across, u);
-}
-
-double Site::approach() const {
-  double u[3];
-  sphere_velocity(u);
-  return -aspi_dot(u, contact.n);
-}
-
-/* The sphere as it is here. lay: room for the wall's lay. */
-asp_particle Site::particle(double lay[3]) {
-  const Setup &setup = wall.setup;
-  const Member &member = setup.shapes[touch.shape];
-  asp_particle particle = {};
-  particle.d_p = 2 * one.radius;
-  particle.density = mover.mass / (ASP_PI / 6 * particle.d_p * particle.d_p * particle.d_p);
-  particle.pair = setup.model.pair(one.type, member.wall_type);
-  aspi_copy(flight.spin, particle.omega);
-  if (!mover.is_ball) {
-    core_ = mover.core_body(arm);
-    particle.body = &core_;
-  }
-  lay[0] = lay[1] = 0;
-  lay[2] = 1;
-  if (setup.engine.dimension() == 2) /* at normal impact, too, the tilt is in the plane */
-    particle.lay = lay;
-  else if (setup.model.lay().kind != ASP_LAY_NONE) {
-    member.shape->lay(setup.model.lay(), touch.before, contact, lay);
-    particle.lay = lay;
-  }
-  return particle;
-}
-
-/* An impact here that is to be counted, without its result. */
-Event Site::event(double hits) const {
-  Event event = Event();
-  event.wall = &wall;
-  event.shape = touch.shape;
-  event.contact = contact;
-  aspi_copy(v1, event.v1);
-  aspi_copy(flight.spin, event.omega1);
-  event.elapsed = flight.elapsed();
-  event.time = wall.setup.time(static_cast<double>(flight.step)) - flight.path.left;
-  event.key.seed = wall.setup.model.seed();
-  event.key.wall = wall.setup.key;
-  event.key.tag = static_cast<uint64_t>(one.tag);
-  event.key.impact = static_cast<uint32_t>(memory.impacts() + hits);
-  event.mass = mover.mass;
-  event.d_p = 2 * one.radius;
-  event.step = flight.step;
-  event.body = mover.body ? mover.body->tag + 1 : 0;
-  aspi_copy(arm, event.lever);
-  return event;
-}
-
-/* The load of an impact with its result. */
-void Site::finish(Event &event) const {
-  const asp_impact &result = event.result;
-  double change[3], turned[3];
-  aspi_subtract(result.v2, event.v1, change);
-  aspi_subtract(result.omega, event.omega1, turned);
-  event.load =
-      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, change, turned);
-  event.load.dissipated =
-      mover.mass * (mover.energy(event.v1, event.omega1) - mover.energy(result.v2, result.omega));
-  event.load.eroded = mover.mass * result.eroded;
-}
 
 /* The criterion at the top of this file, f - a.n as `press`; a point of a body falls faster to the
  * wall where others hold it, as its ends do at most. arrives: the sphere comes from elsewhere. */
@@ -461,10 +234,11 @@ static bool slides(Flight &flight, const Touch &touch) {
   const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
   const double closing = std::max(0.0, contact.closing), deep = closing * flight.path.left;
-  if (!flight.is_led || deep > ROUNDED * one.radius ||
-      (deep > EPSILON * one.radius && !rests_there(flight, touch)))
+  if (!flight.is_led || deep > OVERLAP * one.radius ||
+      (deep > SUM_ROUNDING * one.radius && !rests_there(flight, touch)))
     return false;
-  aspi_add_scaled(flight.path.v, (1 + ROUNDING) * closing + EPSILON * aspi_length(touch.before.v),
+  aspi_add_scaled(flight.path.v,
+                  (1 + ROUNDING) * closing + SUM_ROUNDING * aspi_length(touch.before.v),
                   contact.n_end, flight.path.v);
   return true;
 }
@@ -487,7 +261,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
     Touch &touch = touches[k];
     touch.contact.overlapped =
         touch.contact.overlapped &&
-        overlap(touch.before, touch.contact) > ROUNDED * flight.mover.sphere[touch.sphere].radius;
+        overlap(touch.before, touch.contact) > OVERLAP * flight.mover.sphere[touch.sphere].radius;
     if (touches.size() == 1)
       break;
     Site site(flight, touch, v);
@@ -527,7 +301,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
   for (size_t k = 0; k < touches.size(); k++) {
     const Touch &touch = touches[k];
     if (touch.contact.overlapped &&
-        overlap(touch.before, touch.contact) > DEEP * flight.mover.sphere[touch.sphere].radius)
+        overlap(touch.before, touch.contact) > DISPLACED * flight.mover.sphere[touch.sphere].radius)
       touch.wall->books.count_guarded();
     flight.sustain(touch, holds[k]);
   }
@@ -639,7 +413,7 @@ static void take_turn(Flight &flight, const Movers &movers) {
     aspi_subtract(searched, arm, arm);
     off = std::max(off, aspi_length(arm));
   }
-  if (off > ROUNDED * mover.sphere->radius)
+  if (off > OVERLAP * mover.sphere->radius)
     movers.place(mover, body.x);
 }
 
@@ -707,66 +481,4 @@ void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bo
   for (size_t b = 0; b < bodies->all.size(); b++)
     walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies->step + 1, bodies->all[b].axes);
   bodies->begins = false;
-}
-
-/* ---- which movers are at a wall ---------------------------------------------------------------
- */
-
-Stepper::Stepper(const Setup &of, Books &its)
-    : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_rough(false), is_still(false), has_to_delete(false), is_cut(false) {}
-
-void Members::list(const Spheres &s, int groupbit) {
-  stuck.clear();
-  touching.clear();
-  for (int i = 0; i < s.n; i++)
-    if (!(s.mask[i] & groupbit) || !rows.has_list(i))
-      rows.forget(i);
-    else if (rows.is_stuck(i))
-      stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
-    else if (rows.status(i) != Status::FREE)
-      touching.push_back(i);
-  ahead.reorder(s);
-}
-
-void Members::begin_step() {
-  size_t kept = 0;
-  for (int i : touching) {
-    if (rows.status(i) == Status::RESTING)
-      touching[kept++] = i;
-    else if (!rows.is_stuck(i))
-      rows.set_status(i, Status::FREE);
-  }
-  touching.resize(kept);
-}
-
-void Members::begin_run(const Setup &setup, const Spheres &s) {
-  ahead.begin_run();
-  for (int i = 0; i < s.n; i++)
-    if (rows.is_stuck(i) && setup.model.deposit() == Model::OFF)
-      rows.set_status(i, Status::FREE); /* an earlier part of the run had deposits */
-}
-
-void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
-  for (int i = 0; i < s.n && !shape_now.empty(); i++)
-    if (Memory *of = rows.find(i)) {
-      renumber(shape_now, rows.state[i], *of);
-      for (Stuck &at : of->stuck)
-        if (!(at.shape >= 1)) /* it stays where it is before the engine moves it */
-          aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
-    }
-  is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
-  grains.begin_run(setup, s);
-  reorder(s);
-}
-
-void Stepper::reorder(const Spheres &s) {
-  has_to_delete = false;
-  grains.list(s, setup.groupbit);
-  for (const StuckOne &one : grains.stuck) {
-    Stuck &at = rows.stuck(one.i);
-    if (at.is_kept > 0 && is_in_step)
-      aspi_scale(0.5, rows.state[one.i].force); /* the second half of the step is to come */
-    at.is_kept = 0;
-  }
 }

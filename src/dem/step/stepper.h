@@ -21,8 +21,8 @@ namespace asperity {
 class Bodies;
 class Movers;
 
-/* A stuck mover. If a wall at rest stopped a particle here in the half of a step before: where, and
- * the velocity and mass it had. */
+/* A stuck mover, and (if was_stopped) its position, velocity and mass when a wall at rest last
+ * stopped it. */
 struct StuckOne {
   int i;
   bool was_stopped;

@@ -54,29 +54,6 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   return to;
 }
 
-void Stepper::renumber(const std::vector<int> &shape_now, MoverState &state, Memory &memory) {
-  const auto now = [&](double saved) {
-    return saved >= 1 && saved <= static_cast<double>(shape_now.size())
-               ? shape_now[static_cast<size_t>(saved) - 1]
-               : 0;
-  };
-  for (Stuck &at : memory.stuck)
-    at.shape = now(at.shape);
-  for (Rest &rest : memory.rests)
-    rest.shape = now(rest.shape);
-  memory.rests.erase(std::remove_if(memory.rests.begin(), memory.rests.end(),
-                                    [](const Rest &rest) { return !(rest.shape >= 1); }),
-                     memory.rests.end());
-  if (memory.rests.empty() && state.status < 0)
-    state.status = static_cast<double>(Status::FREE);
-}
-
-void Box::bring_near(const double near[3], double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
-}
-
 /* ---- how it moves -----------------------------------------------------------------------------
  */
 
@@ -130,9 +107,6 @@ void asperity::stick(const Touch &touch, const Mover &mover, const Movers &mover
   carry(*touch.wall, movers, mover.i, left);
 }
 
-/* A stuck particle has been displaced if it is off its place by this share of its radius. */
-static const double DISPLACED = 1e-3;
-
 int Stepper::free_displaced(const Spheres &s, double moved) {
   int count = 0;
   for (const StuckOne &one : grains.stuck) {
@@ -181,8 +155,8 @@ void Stepper::drop_load(StuckOne &at, double share) {
   at.was_stopped = at.is_kept = false;
 }
 
-/* A particle that a wall at rest stops again and again, as against gravity, costs no more than its
- * place and velocity: the books keep the load. */
+/* If a stuck particle has the same velocity and mass as in the last step, its load is unchanged:
+ * the books keep it, and only x and v are reset. */
 void Stepper::carry_stuck(const Movers &movers) {
   is_in_step = is_still = true;
   for (const Member &member : setup.shapes)

@@ -1,0 +1,86 @@
+/* Which movers of this rank are at a wall; see stepper.h. What sticks is in stick.cpp.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/step/stepper.h"
+
+#include <algorithm>
+
+#include "contact/vector.h"
+
+using namespace asperity;
+
+Stepper::Stepper(const Setup &of, Books &its)
+    : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
+      is_in_step(false), is_rough(false), is_still(false), has_to_delete(false), is_cut(false) {}
+
+void Members::list(const Spheres &s, int groupbit) {
+  stuck.clear();
+  touching.clear();
+  for (int i = 0; i < s.n; i++)
+    if (!(s.mask[i] & groupbit) || !rows.has_list(i))
+      rows.forget(i);
+    else if (rows.is_stuck(i))
+      stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
+    else if (rows.status(i) != Status::FREE)
+      touching.push_back(i);
+  ahead.reorder(s);
+}
+
+void Members::begin_step() {
+  size_t kept = 0;
+  for (int i : touching) {
+    if (rows.status(i) == Status::RESTING)
+      touching[kept++] = i;
+    else if (!rows.is_stuck(i))
+      rows.set_status(i, Status::FREE);
+  }
+  touching.resize(kept);
+}
+
+void Members::begin_run(const Setup &setup, const Spheres &s) {
+  ahead.begin_run();
+  for (int i = 0; i < s.n; i++)
+    if (rows.is_stuck(i) && setup.model.deposit() == Model::OFF)
+      rows.set_status(i, Status::FREE); /* an earlier part of the run had deposits */
+}
+
+void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
+  for (int i = 0; i < s.n && !shape_now.empty(); i++)
+    if (Memory *of = rows.find(i)) {
+      renumber(shape_now, rows.state[i], *of);
+      for (Stuck &at : of->stuck)
+        if (!(at.shape >= 1)) /* it stays where it is before the engine moves it */
+          aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
+    }
+  is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
+  grains.begin_run(setup, s);
+  reorder(s);
+}
+
+void Stepper::reorder(const Spheres &s) {
+  has_to_delete = false;
+  grains.list(s, setup.groupbit);
+  for (const StuckOne &one : grains.stuck) {
+    Stuck &at = rows.stuck(one.i);
+    if (at.is_kept > 0 && is_in_step)
+      aspi_scale(0.5, rows.state[one.i].force); /* the second half of the step is to come */
+    at.is_kept = 0;
+  }
+}
+
+void Stepper::renumber(const std::vector<int> &shape_now, MoverState &state, Memory &memory) {
+  const auto now = [&](double saved) {
+    return saved >= 1 && saved <= static_cast<double>(shape_now.size())
+               ? shape_now[static_cast<size_t>(saved) - 1]
+               : 0;
+  };
+  for (Stuck &at : memory.stuck)
+    at.shape = now(at.shape);
+  for (Rest &rest : memory.rests)
+    rest.shape = now(rest.shape);
+  memory.rests.erase(std::remove_if(memory.rests.begin(), memory.rests.end(),
+                                    [](const Rest &rest) { return !(rest.shape >= 1); }),
+                     memory.rests.end());
+  if (memory.rests.empty() && state.status < 0)
+    state.status = static_cast<double>(Status::FREE);
+}
