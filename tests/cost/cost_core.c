@@ -88,17 +88,30 @@ static void count_draws(const asp_spread_model *model, const aspi_relief *of) {
 
 /* ---- a disc, a description ---- */
 
+static void count_disc(const char *what, const asp_heights *wall, double d_p) {
+  asp_error error;
+  count_begin();
+  count_on();
+  asp_heights *path = aspi_profile_rolled(wall, d_p, 1, &error);
+  count_off();
+  count_end(what, POINTS);
+  check(path, &error);
+  asp_heights_free(path);
+}
+
 static void count_profile(void) {
   asp_error error;
   asp_heights *wall = aspi_profile_generate(10, 100, 1, POINTS, 1, &error);
   check(wall, &error);
-  count_begin();
-  count_on();
-  asp_heights *path = aspi_profile_rolled(wall, 200, 1, &error);
-  count_off();
-  count_end("disc over 1e5 points, a point", POINTS);
-  check(path, &error);
-  asp_heights_free(path);
+  count_disc("disc over 1e5 points, a point", wall, 200);
+  static double noise[POINTS];
+  aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 1});
+  for (int i = 0; i < POINTS; i++)
+    noise[i] = aspi_stream_uniform(&stream);
+  asp_heights *noisy = asp_heights_create(noise, POINTS, 1, 1, 1, true, &error);
+  check(noisy, &error);
+  count_disc("wide disc over noise, a point", noisy, 20000);
+  asp_heights_free(noisy);
   aspi_slopes slopes;
   count_begin();
   count_on();
