@@ -74,9 +74,16 @@ static void look(tally *numbers, tally *others, const char *c, const char *end) 
       r.tail++;
       continue;
     }
-    if (is_digit || *c == '.' || *c == ',')
+    bool in_run = is_digit || *c == '.' || *c == ',';
+    if (in_run)
       take_character(&r, *c);
-    else if (r.head + r.tail + r.commas + r.points > 0)
+    if (in_run && !blank && !quoted) {
+      line.fields[COMMA] += *c == ',';
+      digits = digits || is_digit;
+      last = *c;
+      continue;
+    }
+    if (!in_run && r.head + r.tail + r.commas + r.points > 0)
       end_run(&line, &r, quoted);
     quoted ^= *c == '"';
     if (*c == ',' && !quoted)

@@ -184,8 +184,9 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
         "; a wall that moves is a region of style block or plane with 'move', or 'stl FILE' with "
         "'move'";
     if (words.left() > 1 && strncmp(words.rest()[1], "v_", 2) == 0)
-      throw asperity::Error("the place of '" + words.word("") + "' is '" + words.word("") +
-                            "'; it must be a number" + MOVES);
+      throw asperity::Error(
+          text("the place of '%s' is '%s'; it must be a number", words.rest()[0], words.rest()[1]) +
+          MOVES);
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
     if (words.is_one_of("wiggle move rotate"))
       throw asperity::Error("'" + words.word("") + "' is unknown behind '" + geometry + "'" +
