@@ -34,22 +34,25 @@ start() {
   fi
 }
 
-# The newest restart file that is whole: as long as that of the run that nothing disturbed.
+# The newest restart file that is whole: as long as that of the run on as many ranks that nothing disturbed.
 last_restart() {
   local step
   for step in $(find . -name 'r.*' -printf '%f\n' | cut -d. -f2 | sort -rn); do
-    if [ "$(stat -c %s "r.$step")" = "$(stat -c %s "../whole/r.$step")" ]; then echo "$step"; return; fi
+    if [ "$(stat -c %s "r.$step")" = "$(stat -c %s "../whole/$ranks/r.$step")" ]; then echo "$step"; return; fi
   done
 }
 
 state=4711
 killed=0 cut=0
-mkdir -p whole run
-cd whole; ln -s ../*.{in,data,stl} .
-engine 1 whole.in
-for file in low high; do [ "$(wc -c < $file.csv)" -gt 100000 ] || die "too few impacts for this test"; done
-all=$(stat -c %s low.csv)
-cd ../run; ln -s ../*.{in,data,stl} .
+for ranks in 1 2; do
+  mkdir -p whole/$ranks
+  cd whole/$ranks; ln -s ../../*.{in,data,stl} .
+  engine $ranks whole.in
+  cd ../..
+done
+for file in low high; do [ "$(wc -c < whole/1/$file.csv)" -gt 100000 ] || die "too few impacts for this test"; done
+all=$(stat -c %s whole/1/low.csv)
+mkdir run; cd run; ln -s ../*.{in,data,stl} .
 for ranks in 1 2; do
   # On a loaded machine a run may be killed too late or too early to tell anything: then there are more of them.
   for ((k = 0; k < kills / 2 || (ranks == 2 && k < 5 * kills && (cut < kills / 2 || killed < kills / 2)); k++)); do
@@ -68,7 +71,7 @@ for ranks in 1 2; do
     else
       engine "$ranks" whole.in
     fi
-    for file in low high; do same ../whole/$file.csv $file.csv "killed at $upto bytes on $ranks ranks, continued from step ${from:-0}"; done
+    for file in low high; do same ../whole/1/$file.csv $file.csv "killed at $upto bytes on $ranks ranks, continued from step ${from:-0}"; done
   done
 done
 cd ..

@@ -166,10 +166,10 @@ static void slopes_follow_the_formula(void **state) {
   }
 }
 
-/* The rms slope that a sphere meets on a map of 512 x 512 points, in any direction. */
+/* The rms slope that a sphere meets on half of a map of 512 x 512 points, in any direction. */
 static double slope_under(const asp_heights *map, double d_p) {
   size_t n = 256 * 512;
-  float *z = malloc(256 * 512 * sizeof(float)), *p = malloc(128 * 512 * sizeof(float)),
+  float *z = malloc(256 * 512 * sizeof(float)), *p = malloc(256 * 512 * sizeof(float)),
         *q = malloc(256 * 512 * sizeof(float));
   aspi_ball *ball = aspi_ball_create(map, d_p, NULL);
   double sum = 0;
