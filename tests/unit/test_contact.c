@@ -198,6 +198,11 @@ static void test_nearest(void **unused) {
   }
 }
 
+static void test_area(void **unused) {
+  const ContactTriangle right = {{{1, 2, 3}, {1, 4, 3}, {1, 2, 6}}};
+  assert_true(fabs(aspi_triangle_area(&right) - 3) < 1e-15);
+}
+
 /* What overlaps already: an approach touches at once and is moved out; what leaves is let go. */
 static void test_overlap(void **unused) {
   for (int kind = PLANE; kind <= TRIANGLE; kind++)
@@ -439,6 +444,7 @@ int main(void) {
       cmocka_unit_test(test_centered), cmocka_unit_test(test_none),
       cmocka_unit_test(test_wide),     cmocka_unit_test(test_sliding),
       cmocka_unit_test(test_along),    cmocka_unit_test(test_tree),
+      cmocka_unit_test(test_area),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

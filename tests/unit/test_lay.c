@@ -5,6 +5,7 @@
 #include "choice.h"
 #include "judge_3d.h"
 #include "surface/size_law.h"
+#include "wall/roughness.h"
 
 #include <stdlib.h>
 
@@ -262,6 +263,21 @@ static void maps_with_a_lay_need_its_direction(void **state) {
   }
 }
 
+/* A flight across the lay has the kappa of that direction along itself, and the smaller one across
+ * itself; one along the lay the other way round. */
+static void headings_have_their_own_size(void **state) {
+  (void)state;
+  setup made = setup_create(40, 80, "isotropic");
+  const aspi_roughness rough = {
+      .wall = made.wall, .slope = {0.2, 0.1}, .kappa = 3, .shrink = 0.25, .across = {1, 0, 0}};
+  for (int i = 0; i < 2; i++) {
+    const aspi_slopes_along s = aspi_roughness_along(&rough, (aspi_heading){1 - i, i});
+    assert_near(s.kappa, i ? 0.75 : 3, 1e-15);
+    assert_near(s.kappa_across, i ? 3 : 0.75, 1e-15);
+  }
+  setup_free(&made);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(a_lay_has_no_sense),
@@ -274,6 +290,7 @@ int main(void) {
       cmocka_unit_test(ridges_push_across_their_lay),
       cmocka_unit_test(maps_with_a_lay_need_its_direction),
       cmocka_unit_test(lays_have_unit_length),
+      cmocka_unit_test(headings_have_their_own_size),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -197,6 +197,20 @@ static void no_file(void **) {
   }
 }
 
+/* A file that is gone is an error only where the restart file counts rows in it. */
+static void gone(void **) {
+  const std::string path = folder + "/gone.csv";
+  for (double rows : {0.0, 2.0}) {
+    LedgerFile file(path, LedgerColumn::N_COLUMNS);
+    LedgerState saved;
+    saved.path = path;
+    saved.rows = rows;
+    const std::string wrong = wrong_of_open(file, saved);
+    assert_true(rows > 0 ? wrong.find("is gone") != std::string::npos : wrong.empty());
+    unlink(path.c_str());
+  }
+}
+
 /* A link names its file before that is there. */
 static void links(void **) {
   const std::string link = folder + "/symbolic.csv", path = folder + "/behind.csv";
@@ -222,10 +236,11 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(full_disk),    cmocka_unit_test(deleted),   cmocka_unit_test(cut_short),
-      cmocka_unit_test(every_length), cmocka_unit_test(two_walls), cmocka_unit_test(no_file),
-      cmocka_unit_test(long_tags),    cmocka_unit_test(links),     cmocka_unit_test(slides)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk), cmocka_unit_test(deleted),
+                                     cmocka_unit_test(cut_short), cmocka_unit_test(every_length),
+                                     cmocka_unit_test(two_walls), cmocka_unit_test(no_file),
+                                     cmocka_unit_test(long_tags), cmocka_unit_test(links),
+                                     cmocka_unit_test(slides),    cmocka_unit_test(gone)};
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;

@@ -326,6 +326,21 @@ static void slope_alone(void **state) {
   }
 }
 
+/* Between two rows of the table, at its sizes, the ratio to the closed form is the mean of theirs.
+ */
+static void rows_of_the_table_are_joined_by_lines(void **state) {
+  (void)state;
+  double over[3];
+  for (int i = 0; i < 3; i++) {
+    asp_surface *s = asp_surface_create(0.45 + 0.025 * i, 1, NULL);
+    over[i] = asp_surface_slope(s, 4) / asp_surface_slope_rms(s) /
+              aspi_closed_form(asp_surface_kappa(s, 4));
+    asp_surface_free(s);
+  }
+  assert_near(over[1], 0.5 * (over[0] + over[2]), 1e-12);
+  assert_true(fabs(over[2] - over[0]) > 1e-3);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(slope_alone),
@@ -343,6 +358,7 @@ int main(void) {
       cmocka_unit_test(bad_bins_are_named),
       cmocka_unit_test(lengths_are_numbers_or_refused),
       cmocka_unit_test(slopes_raise_no_trap),
+      cmocka_unit_test(rows_of_the_table_are_joined_by_lines),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
