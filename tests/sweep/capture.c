@@ -120,7 +120,7 @@ int main(int argc, char **argv) {
   const double step[2] = {lambda_c / 20, lambda_c / 20};
   shoot_measured("a map of it", make(&subject, step, POINTS, 1000), d_p, speed, angle, samples);
   for (size_t n = 1000; n >= 100; n /= 10) {
-    char what[40];
+    char what[60];
     snprintf(what, sizeof what, "a profile of %zu lambda_c", n);
     shoot_measured(
         what, shaped(aspi_profile_generate(r_q, lambda_c, lambda_c / 32, 32 * n, 1, NULL), r_q),
