@@ -157,10 +157,11 @@ double RegionPart::travel(const double box[2][3]) const {
   const bool ends = extent(region_, own);
   aspi_subtract(own[1], own[0], own_size);
   const bool is_smaller = ends && aspi_length(own_size) < aspi_length(size);
+  const double(*of)[3] = is_smaller ? own : box;
   for (int corner = 0; corner < 8; corner++) {
     double x[3], v[3];
     for (int d = 0; d < 3; d++)
-      x[d] = (is_smaller ? own : box)[corner >> d & 1][d];
+      x[d] = of[corner >> d & 1][d];
     if (is_smaller)
       motion_.end().to_world(x, x);
     for (double share : {0.0, 1.0}) {
