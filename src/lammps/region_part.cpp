@@ -25,11 +25,14 @@ const double LEAST = 1e-3;
  * LAMMPS's 1e20 is endless. */
 const double ALONG = 1e-9, ENDLESS = 1e19;
 
-/* The corners of the box of a region as it was made; false where it is endless, or changes. */
+/* The corners of the box of a region as it was made; false where LAMMPS sets none, or it is
+ * endless, or changes. */
 bool extent(const Region *region, double box[2][3]) {
+  if (!region->bboxflag || region->varshape)
+    return false;
   const double all[2][3] = {{region->extent_xlo, region->extent_ylo, region->extent_zlo},
                             {region->extent_xhi, region->extent_yhi, region->extent_zhi}};
-  bool ends = region->bboxflag && !region->varshape;
+  bool ends = true;
   for (int side = 0; side < 2; side++) {
     aspi_copy(all[side], box[side]);
     for (double at : all[side])
@@ -150,7 +153,7 @@ void RegionPart::restore(const double *record) {
 }
 
 double RegionPart::travel(const double box[2][3]) const {
-  double own[2][3], size[3], own_size[3], most = 0;
+  double own[2][3] = {}, size[3], own_size[3], most = 0;
   if (is_round_)
     return dt_ * aspi_length(rate_.shift);
   aspi_subtract(box[1], box[0], size);

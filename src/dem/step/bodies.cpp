@@ -81,9 +81,10 @@ void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies,
  */
 
 void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
-  const double rate = aspi_length(omega), c = cos(rate * time), s = sin(rate * time) / rate;
+  const double rate = aspi_length(omega);
   if (!(rate > 0))
     return;
+  const double c = cos(rate * time), s = sin(rate * time) / rate;
   for (int k = 0; k < 3; k++) {
     double side[3], along = (1 - c) * aspi_dot(omega, axes[k]) / (rate * rate);
     aspi_cross(omega, axes[k], side);
