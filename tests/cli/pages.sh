@@ -39,7 +39,7 @@ while read -r line; do
 done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/src/cli/README.md")
 [ "$written" != ' ' ] || die "src/cli/README.md: no command"
 
-python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
+/usr/bin/python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
 "$asperity" surface surface rq 5um lambda_c 40um --points 8192 -o cor.csv
 "$asperity" cor surface sigma 10 --angles 20 --samples 3 --columns ledger -o impacts.csv
 for step in 1 2; do printf 'ITEM: TIMESTEP\n\n\n\n\n\n\n\nITEM: ENTRIES \n1 1 20 0.5 \n2 1 30 0.5 \n'; done | split -l 11 -d - rows. --additional-suffix .txt
@@ -49,4 +49,4 @@ for step in 1 2; do printf 'ITEM: TIMESTEP\n\n\n\n\n\n\n\nITEM: ENTRIES \n1 1 20
   done; } > lines.py
 [ "$(grep -c 'pandas\.' lines.py)" -ge 3 ] && [ "$(grep -c 'numpy\.' lines.py)" -ge 2 ] || die "lines of Python: $(cat lines.py)"
 printf 'assert len(rows) == 4\n' >> lines.py
-python3 lines.py || die "lines of Python: $(cat lines.py)"
+/usr/bin/python3 lines.py || die "lines of Python: $(cat lines.py)"

@@ -57,7 +57,7 @@ for number, words in enumerate(open("walls").read().splitlines(), 1):
         np.testing.assert_allclose(values, rows[name], 2e-5, 1e-5, err_msg=f"{words}: {name}")
 END
 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/src/python ASPERITY_LIBRARY=$(echo "$bin"/../lib*/libasperity.so.1) \
-  "${ASPERITY_PYTHON:-/usr/bin/python3}" look.py
+  "$python" look.py
 
 # A map that has a lay is refused where nobody says which way it lies.
 { boundary='m m m' flying grains.data; echo "fix low all wall/rebound primitive type 2 zplane 0.0 surface map ground.txt dp_bins 1
