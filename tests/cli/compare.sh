@@ -129,6 +129,13 @@ printf 'alpha1_deg,v1_m_s,dp_um,cor_n\n30,20,10,0.9\n30,80,10,0.4\n30,80,50,0.4\
 [ "$(column model_n got | head -n 4 | paste -sd,)" = 30,30,30,0 ] && grep -q "1 of 4 bins" err || die "compare: speeds and sizes: $(cat got err)"
 [ "$(column v1_m_s got | sed -n 2p),$(column dp_um got | sed -n 3p)" = 80,50 ] || die "compare: places: $(cat got)"
 
+# Weights: of 30 and 30 impacts of the model where the data have 54 and 6, Kish's effective number is 1/(0.9^2 + 0.1^2) of 30.
+for n in 30 54; do
+  awk -v n=$n 'BEGIN { print "alpha1_deg,cor_n"; for (i = 0; i < 60; i++) print i < n ? "30,0.2" : "40,0.6" }' > weighted.$n
+done
+"$asperity" compare weighted.30 weighted.54 --bin 90 | rows /dev/stdin | awk -F, '$1 == "cor_n" { m = 0.9 ^ 2 + 0.1 ^ 2
+    se = sqrt(0.09 * 0.4 ^ 2 / (1 - m / 30) * m / 30) / $9 - 1; exit !($8 == 0.24 && se ^ 2 < 1e-10) }' || die "compare: the error of a weighted mean"
+
 # Deposits: their shares, where the data tell outcomes.
 awk 'BEGIN { print "alpha1_deg,cor_n,cor_t,outcome"; for (i = 0; i < 200; i++) print "30,0.5,0.7," (i % 4 ? "rebound" : "deposit") }' > quarter
 awk 'BEGIN { print "alpha1_deg,cor_n,cor_t,outcome"; for (i = 0; i < 200; i++) print "30,0.5,0.7," (i % 2 ? "rebound" : "deposit") }' > half

@@ -572,6 +572,26 @@ void grains_slide_inside_cylinders(void **) {
   assert_true(grains.x[2] > 5.9 && s.count(Books::N_IMPACTS) < 1 && s.count(Books::N_GUARDED) < 1);
 }
 
+/* Without friction a grain slides down the outside of a cylinder and leaves it where the cosine of
+ * the angle from the top is 2/3 of that at which it began. */
+void grains_leave_cylinders(void **) {
+  const double at = 0.1, rho = 5.5;
+  GrainsAtWall s(ShapePtr(new CylinderShape(1, STILL, 5, 0, 0)),
+                 "rebound walton 0.5 0 0 deposit off", 1, 0.5, 0.01);
+  Grains &grains = s.grains;
+  grains.put(0, {rho * sin(at), 0, rho * cos(at)}, {0, 0, 0});
+  grains.f[2] = -1 * grains.mass[0];
+  s.begin();
+  double leaves = 0;
+  for (int k = 0; k < 3000 && !(leaves > 0); k++) {
+    grains.fly(1);
+    if (hypot(grains.x[0], grains.x[2]) > rho + 1e-5)
+      leaves = atan2(grains.x[0], grains.x[2]);
+  }
+  print_message("leaves at %g, not %g\n", leaves, acos(2.0 / 3 * cos(at)));
+  assert_true(fabs(leaves - acos(2.0 / 3 * cos(at))) < 0.02);
+}
+
 /* A belt that turns about z. */
 class Turntable : public MeshShape {
   bool runs() const override {
@@ -794,6 +814,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(straying_grains_are_met),
       cmocka_unit_test(bent_ways_are_met),
       cmocka_unit_test(grains_slide_inside_cylinders),
+      cmocka_unit_test(grains_leave_cylinders),
       cmocka_unit_test(belts_keep_their_radius),
       cmocka_unit_test(rough_rooms_give_no_energy),
       cmocka_unit_test(forces_do_their_own_work),

@@ -157,10 +157,30 @@ void turns_freely(void **) {
     }
 }
 
+/* A body is a ball if it is one sphere about its center of mass with the moments of one. */
+void balls_are_found(void **) {
+  const double mass = 2, radius = 0.3, of_ball = 0.4 * mass * radius * radius;
+  for (int k = 0; k < 4; k++) {
+    Bodies bodies;
+    bodies.spheres = {BodySphere{{k == 1 ? 0.1 : 0, 0, 0}, radius, 1, 1, 1}};
+    Body one = Body();
+    one.count = 1;
+    one.mass = mass;
+    for (int d = 0; d < 3; d++) {
+      one.axes[d][d] = 1;
+      one.inertia[d] = k == 2 && d == 1 ? 1.1 * of_ball : k == 3 ? 2.5 * of_ball : of_ball;
+    }
+    bodies.all = {one};
+    const Mover mover(bodies, 0);
+    assert_int_equal(mover.is_ball, k == 0);
+  }
+}
+
 } // namespace
 
 int main() {
   const struct CMUnitTest tests[] = {cmocka_unit_test(is_a_solution),
-                                     cmocka_unit_test(turns_freely)};
+                                     cmocka_unit_test(turns_freely),
+                                     cmocka_unit_test(balls_are_found)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
