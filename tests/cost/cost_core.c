@@ -14,7 +14,7 @@
 #include "surface/rolling.h"
 #include "surface/slopes.h"
 
-enum { CONTACTS = 2000, DRAWS = 1000, PARSES = 20, POINTS = 100000 };
+enum { CONTACTS = 2000, CONTACTS_OF_MODEL = 400, DRAWS = 1000, PARSES = 20, POINTS = 100000 };
 
 static const double R_Q = 10e-6, LAMBDA_C = 100e-6, D_P = 20e-6;
 static const char ROUGH[] = "surface rq 10um lambda_c 100um materials quartz hastelloy-x";
@@ -46,17 +46,33 @@ static void contacts(const asp_wall *wall, int count) {
 }
 
 /* heights: of a measured wall, or NULL. */
-static void count_contacts(const char *what, const char *text, const asp_heights *heights) {
+static void count_contacts(const char *what, const char *text, const asp_heights *heights,
+                           int count) {
   asp_error error;
   asp_description *words = asp_description_parse(text, NULL, &error);
   check(words && (!heights || !asp_description_set_heights(words, heights, &error)), &error);
   asp_wall *wall = asp_wall_create(words, D_P, D_P, &error);
   check(wall, &error);
   count_begin();
-  contacts(wall, CONTACTS);
-  count_end(what, CONTACTS);
+  contacts(wall, count);
+  count_end(what, count);
   asp_wall_free(wall);
   asp_description_free(words);
+}
+
+/* The columns of choosing.md: each model at walls of three ratios of heights to correlation length.
+ */
+static void count_models(void) {
+  static const double ratio[] = {0.04, 0.125, 0.6};
+  for (int k = 0; k < 3; k++)
+    for (int i = 1; i < asp_spread_count(); i++) { /* behind `none` */
+      char what[40], text[100];
+      const char *name = asp_spread_at(i)->name;
+      snprintf(what, sizeof what, "contact, %s, %g", name, ratio[k]);
+      snprintf(text, sizeof text, "surface rq %gum lambda_c 100um spread %s rebound constant 1 1",
+               100 * ratio[k], name);
+      count_contacts(what, text, NULL, CONTACTS_OF_MODEL);
+    }
 }
 
 /* ---- a draw ---- */
@@ -146,15 +162,17 @@ int main(void) {
   asp_heights *map = gauss_map_create(&gauss, step, 128, 128, 1, &error);
   check(map, &error);
 
-  count_contacts("contact, smooth", "materials quartz hastelloy-x", NULL);
-  count_contacts("contact, rough", ROUGH, NULL);
+  count_contacts("contact, smooth", "materials quartz hastelloy-x", NULL, CONTACTS);
+  count_contacts("contact, rough", ROUGH, NULL, CONTACTS);
   count_contacts("contact, as in the paper",
                  "surface rq 10um lambda_c 100um spread weibull plane collisions single materials "
                  "quartz hastelloy-x",
-                 NULL);
+                 NULL, CONTACTS);
   count_contacts("contact, measured profile", "surface profile wall materials quartz hastelloy-x",
-                 profile);
-  count_contacts("contact, map", "surface map wall materials quartz hastelloy-x", map);
+                 profile, CONTACTS);
+  count_contacts("contact, map", "surface map wall materials quartz hastelloy-x", map, CONTACTS);
+  count_contacts("contact, none", "rebound constant 1 1", NULL, CONTACTS_OF_MODEL);
+  count_models();
   for (int i = 1; i < asp_spread_count(); i++) /* behind `none` */
     count_draws(asp_spread_at(i), &(aspi_relief){surface, NULL, false});
   count_profile();
