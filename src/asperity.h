@@ -108,6 +108,7 @@ typedef struct asp_particle {
   double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
                          the description; 0: that one; negative: the gas is at rest */
   const asp_body *body; /* NULL: a solid sphere */
+  double reserved[4];   /* 0: for later versions */
 } asp_particle;
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
@@ -120,7 +121,8 @@ typedef struct asp_impact {
   int hits;           /* 1, or more with later hits */
   bool capped;        /* after 64 draws or hits without an end the mean wall was taken instead */
   asp_outcome outcome;
-  double eroded; /* mass of the wall that is worn off, per mass of the particle */
+  double eroded;      /* mass of the wall that is worn off, per mass of the particle */
+  double reserved[4]; /* 0: for later versions */
 } asp_impact;
 
 /* One contact. v1: velocity relative to the wall; n: outward unit normal of the mean wall. The
@@ -210,8 +212,10 @@ typedef struct asp_lay {
 asp_lay asp_description_lay(const asp_description *description);
 
 /* A wall of a description, for diameters from d_least to d_most in its units; both count only if
- * asp_description_needs_sizes, else they may be 0. Reads the file of a measured wall unless the
- * caller has set its heights. The wall needs neither description nor heights any longer. */
+ * asp_description_needs_sizes, else they may be 0. ASP_EARG where the law needs a pair and the
+ * description has no two materials, unless particles come with theirs (asperity_engine.h). Reads
+ * the file of a measured wall unless the caller has set its heights. The wall needs neither
+ * description nor heights any longer. */
 asp_wall *asp_wall_create(const asp_description *description, double d_least, double d_most,
                           asp_error *error);
 bool asp_description_needs_sizes(const asp_description *description);

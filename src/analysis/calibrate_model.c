@@ -65,8 +65,10 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
   degrees = degrees > 90 ? 180 - degrees : fmax(fabs(degrees), 1e-3);
   double v = isnan(row->v1) ? c->speed : row->v1, a1 = aspi_radians(degrees);
   double v1[3] = {degrees < 90 ? v * cos(a1) : 0, 0, -v * sin(a1)};
-  asp_particle particle = {
-      isnan(row->d_p) ? c->d_p : row->d_p, c->density, c->pair, {0, 0, 0}, c->lay, 0, 0, NULL};
+  asp_particle particle = {.d_p = isnan(row->d_p) ? c->d_p : row->d_p,
+                           .density = c->density,
+                           .pair = c->pair,
+                           .lay = c->lay};
   asp_impact impact;
   asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
   if (impact.outcome == ASP_DEPOSIT)

@@ -75,6 +75,7 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
   asp_error error;
   d.words = asp_description_parse("", NULL, &error);
   cli_must(d.words, &error);
+  asp_description_expect_pairs(d.words); /* its own, or none as for samples of tilts */
   d.words->may_fit = may_fit;
   check_units(count, words);
   read_words(d.words, count, words);

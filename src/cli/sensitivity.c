@@ -48,9 +48,10 @@ static void add_other(study *s, const char *surface) {
   const char *rest = s->own.text + asp_description_clause(s->own.text);
   char *text = cli_allocate(strlen(surface) + strlen(rest) + 2, 1);
   sprintf(text, "%s %s", surface, rest);
-  const asp_description *words = asp_description_parse(text, NULL, &error);
+  asp_description *words = asp_description_parse(text, NULL, &error);
   if (!words)
     cli_bad_usage("--to is '%s', behind which '%s' stays: %s", surface, rest, error.text);
+  asp_description_expect_pairs(words); /* the run's */
   if (asp_description_needs_sizes(words))
     cli_bad_usage("--to is '%s'; it must be given by rq and lambda_c, or by sigma", surface);
   add_wall(s, words);

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <algorithm>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/text.h"
 
 using namespace asperity;

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 
 namespace asperity {
 

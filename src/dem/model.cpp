@@ -7,7 +7,7 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/error.h"
 #include "dem/text.h"
 
@@ -50,6 +50,7 @@ void Model::begin() {
   description_.reset(asp_description_parse("", &units_, &wrong));
   if (!description_)
     throw_error(wrong);
+  asp_description_expect_pairs(description_.get()); /* those of the types */
   if (engine_.dimension() == 2)
     asp_description_default_plane(description_.get());
 }
@@ -320,7 +321,10 @@ double Model::worn_density(int wall_type) const {
 }
 
 asp_removal Model::removal(int type, int wall_type, double d_p, const asp_key &key) const {
-  const asp_particle particle = {d_p, 1, pair(type, wall_type), {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle particle = asp_particle();
+  particle.d_p = d_p;
+  particle.density = 1;
+  particle.pair = pair(type, wall_type);
   return asp_wall_removal(wall(), &particle, &key);
 }
 

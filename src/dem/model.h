@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/engine.h"
 #include "dem/text.h"
 

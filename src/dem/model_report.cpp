@@ -75,7 +75,8 @@ void Model::warn_of_doubts() {
     return;
   doubted_for_[0] = most_ > 0 ? least_ : doubted_for_[0];
   doubted_for_[1] = most_;
-  asp_particle largest = {most_, 0, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle largest = asp_particle();
+  largest.d_p = most_;
   asp_question question = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
   ask(question, 0, 0);
   for (size_t t = 0; t < kinds_.size() && !pairs_.empty(); t++)
@@ -109,8 +110,10 @@ std::string Model::describe_capture() const {
       const int type = static_cast<int>(t) + 1;
       double speed[2] = {0, 0};
       for (int k = 0; kinds_[t].present && k < 2; k++) {
-        const asp_particle particle = {
-            d_p[k], density(type, kinds_[t]), pair(type, w), {0, 0, 0}, NULL, 0, 0, NULL};
+        asp_particle particle = asp_particle();
+        particle.d_p = d_p[k];
+        particle.density = density(type, kinds_[t]);
+        particle.pair = pair(type, w);
         speed[k] = asp_description_capture_speed(description_.get(), &particle);
       }
       if (!(speed[0] > 0))

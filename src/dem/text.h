@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 
 namespace asperity {
 

@@ -82,6 +82,10 @@ void asp_description_default_plane(asp_description *d) {
   d->choice.isotropic = false;
 }
 
+void asp_description_expect_pairs(asp_description *d) {
+  d->pairs_come = true;
+}
+
 /* ---- numbers ---- */
 
 /* The keyword of a number that is not turned into another one; NULL for another name. */

@@ -44,6 +44,7 @@ struct asp_description {
   char *materials_file;
   aspi_materials *own;
   asp_material **materials; /* in the units of the caller */
+  bool pairs_come;          /* with the particles */
   double friction, surface_energy, yield_stress;
   double seed;
   /* True lets numbers that may be unknown be `fit`, or `fit=START` in place of START: those of the

@@ -125,7 +125,9 @@ asp_wall *asp_wall_create(const asp_description *d, double d_least, double d_mos
   asp_error doubt;
   if (!d)
     aspi_fail(error, ASP_EARG, "a wall is to be made of no description");
-  if (!d || asp_description_check(d, error) || aspi_heights_read(d, &own, &doubt, error))
+  if (!d || asp_description_check(d, error) ||
+      (!d->pairs_come && asp_description_check_pair(d, error)) ||
+      aspi_heights_read(d, &own, &doubt, error))
     return NULL;
   asp_description complete = *d; /* with the heights, for as long as the wall is made */
   if (own)

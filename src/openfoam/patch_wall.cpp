@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/error.h"
 #include "dem/books/ledger_file.h"
 #include "dem/text.h"
@@ -45,8 +45,7 @@ void PatchWall::check(const Cloud &cloud) const {
   const asp_description *words = words_.get();
   const std::string surface = asp_description_word(words, "surface");
   asp_error wrong;
-  if (asp_description_check_pair(words, &wrong) ||
-      asp_description_check_heat(words, cloud.has_temperature, &wrong))
+  if (asp_description_check_heat(words, cloud.has_temperature, &wrong))
     throw Error(wrong.text);
   if (asp_description_needs_sizes(words) && !(cloud.d_least > 0 && cloud.d_most >= cloud.d_least))
     throw Error("a measured wall needs the diameters of the parcels: dMin, which must be more than "

@@ -23,7 +23,7 @@ library=$(find "$work/prefix" -name libasperity.so)
 
 gcc -E -P -I"$source_dir/src" "$source_dir/src/asperity_internal.h" | tr '\n' ' ' | grep -oE '\basp_[a-z0-9_]+ *\(' | tr -d ' (' | sort -u > "$work/declared"
 [ "$(wc -l < "$work/declared")" -gt 60 ] || die "few functions were found in asperity.h"
-nm -D --defined-only "$library" | awk '{ print $3 }' | sort -u > "$work/exported"
+nm -D --defined-only "$library" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort -u > "$work/exported"
 more=$(comm -13 "$work/declared" "$work/exported")
 [ -z "$more" ] || die "exported, and not declared in a header: $more"
 less=$(comm -23 "$work/declared" "$work/exported")

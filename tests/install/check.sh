@@ -23,6 +23,7 @@ program=$here/../../examples/c_program
 cmake -S "$program" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/cmake/scatter"
+"$work/cmake/engine" | grep -q '^the grain hits [1-9][0-9]* times, [1-9]'
 # The line of the program's page, as printed, with the home folder here.
 ln -s prefix "$work/.local"
 line=$(grep '^cc scatter.c' "$program/README.md")
@@ -53,8 +54,18 @@ while read -r page; do
     [ -e "$(dirname "$page")/$link" ] || { echo "$page: the link $link leads nowhere"; exit 1; }
   done
 done < <(find "$doc" -name '*.md')
-# The header is C++11 too.
-g++ -std=c++11 -pedantic -Wall -Werror -fsyntax-only -x c++ "$work"/prefix/include/asperity.h
+# The headers are C and C++ of any year from 1998 on, and the shared library promises what they declare, and no more.
+for header in asperity.h asperity_engine.h; do
+  for standard in c99 c11 c++98 c++17; do
+    language=${standard%%[0-9]*}
+    gcc -std=$standard -pedantic -Wall -Wextra -Werror -Wno-long-long -fsyntax-only -x "$language" "$work/prefix/include/$header"
+  done
+done
+library=$(find "$work/prefix" -name 'libasperity.so.*' | head -n 1)
+nm -D "$library" | sed -n 's/.* T \(asp_.*\)@@ASPERITY_[0-9]*$/\1/p' | sort > "$work/promised"
+cat "$work"/prefix/include/asperity*.h | gcc -fpreprocessed -dD -E -P -x c - | grep -o 'asp_[a-z_]*(' | tr -d '(' | sort > "$work/declared"
+[ "$(wc -l < "$work/promised")" -ge 60 ] && diff "$work/promised" "$work/declared" || { echo "the library promises other names than its headers"; exit 1; }
+[ -z "$(nm -D --defined-only "$library" | grep ' T ' | grep -v '@@ASPERITY_')" ] || { echo "names without a version"; exit 1; }
 
 # What was installed goes again, and nothing else.
 installed=$(find "$work/prefix" -type f | wc -l)

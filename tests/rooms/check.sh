@@ -10,7 +10,8 @@ work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 bad=0
 say() { echo "FAILED: $*"; bad=1; }
 
-# The rooms, and what each may know besides itself, asperity.h and asperity_internal.h. An engine's headers are known to its own room only.
+# The rooms, and what each may know besides itself and the headers in src, of which the engines' rooms know those that are
+# installed. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
   [analysis]='base surface readers spread rebound erosion wall description'
@@ -41,7 +42,7 @@ for path in "$src"/*; do
   if [ -d "$path" ]; then
     [ -n "${knows[$name]+known}" ] || say "room '$name' is not in the list of $0"
   else
-    [[ $name == @(CMakeLists.txt|asperity.h|asperity_internal.h) ]] || say "'$name' lies loose in src"
+    [[ $name == @(CMakeLists.txt|asperity.h|asperity_engine.h|asperity_internal.h) ]] || say "'$name' lies loose in src"
   fi
 done
 
@@ -69,7 +70,8 @@ while IFS=: read -r file include; do
   case $include in
     '<mpi.h>') [[ $with_mpi == *" $room "* ]] || say "$file includes $include" ;;
     '<'*) ;;
-    asperity.h | asperity_internal.h | *.inc) ;;
+    asperity.h | asperity_engine.h | *.inc) ;;
+    asperity_internal.h) [[ $with_mpi != *" $room "* ]] || say "$file includes $include; $room must do with asperity_engine.h" ;;
     */*) may_know "$room" "${include%%/*}" || say "$file includes $include: $room must not know ${include%%/*}"
       [ -e "$src/$include" ] || say "$file includes $include, which is not there" ;;
     *) [[ $engines == *" $room "* ]] || say "$file includes $include, which names no room" ;;

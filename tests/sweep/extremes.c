@@ -164,7 +164,7 @@ static void choose_particle(aspi_stream *s, combination *c) {
   c->pair.surface_energy = or_zero(s, -12, 6);
   c->pair.friction = or_zero(s, -6, 1);
   c->particle = (asp_particle){
-      power_of_ten(s, -9, -1), power_of_ten(s, -3, 6), &c->pair, {0, 0, 0}, NULL, 0, 0, NULL};
+      .d_p = power_of_ten(s, -9, -1), .density = power_of_ten(s, -3, 6), .pair = &c->pair};
 }
 
 /* A third of the velocities lie along the axes, to be exact at grazing and normal incidence. */
@@ -271,14 +271,11 @@ static void change(aspi_stream *s, combination *c, double part) {
 }
 
 static void meet(const combination *c, asp_impact *impact) {
-  asp_particle particle = {c->particle.d_p,
-                           c->particle.density,
-                           &c->pair,
-                           {c->particle.omega[0], c->particle.omega[1], c->particle.omega[2]},
-                           NULL,
-                           0,
-                           0,
-                           NULL};
+  asp_particle particle = {
+      .d_p = c->particle.d_p,
+      .density = c->particle.density,
+      .pair = &c->pair,
+      .omega = {c->particle.omega[0], c->particle.omega[1], c->particle.omega[2]}};
   asp_wall_impact(&c->wall, &particle, c->v1, c->n, &c->key, impact);
 }
 

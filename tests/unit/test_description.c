@@ -713,7 +713,8 @@ static void coarse_files_are_doubted(void **state) {
   asp_heights *profile = aspi_profile_generate(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
   static const double z[16] = {0};
   asp_heights *map = asp_heights_create(z, 4, 4, 1e-6, 1e-6, false, NULL);
-  asp_description *d = asp_description_parse("surface profile fine.csv", NULL, NULL);
+  asp_description *d =
+      asp_description_parse("surface profile fine.csv materials quartz steel", NULL, NULL);
   assert_int_equal(asp_description_set_heights(d, map, &error), ASP_EARG);
   asp_heights_free(map);
   assert_int_equal(asp_description_set_heights(d, profile, NULL), ASP_OK);
@@ -742,7 +743,7 @@ static void files_that_fail_have_their_code(void **state) {
   for (int k = 0; k < 2; k++) {
     char text[80];
     asp_error error;
-    snprintf(text, sizeof text, "surface profile %s", files[k]);
+    snprintf(text, sizeof text, "surface profile %s materials quartz steel", files[k]);
     assert_null(asp_wall_from_text(text, 5e-6, 20e-6, &error));
     assert_int_equal(error.code, codes[k]);
   }

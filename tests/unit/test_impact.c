@@ -43,7 +43,7 @@ static double dot(const double *a, const double *b) {
 }
 
 static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0};
-static const asp_particle grain = {1e-5, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0, NULL};
+static const asp_particle grain = {.d_p = 1e-5, .density = 2650, .pair = &quartz_on_nickel};
 static const double up[3] = {0, 0, 1};
 
 static void smooth_wall_is_the_law(void **state) {
@@ -156,7 +156,7 @@ static void normal_impact_is_isotropic(void **state) {
 
 static void no_deposits_where_none_are_taken(void **state) {
   setup s = setup_create("none", "bons", 0);
-  asp_particle small = {1e-7, 2650, &quartz_on_nickel, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle small = {.d_p = 1e-7, .density = 2650, .pair = &quartz_on_nickel};
   double v1[3] = {1, 0, -1};
   asp_impact impact;
   asp_wall_impact(s.wall, &small, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -355,10 +355,17 @@ static void many_impacts_are_single_ones(void **state) {
   asp_wall_free(wall);
 }
 
-/* Without materials a law that takes them has no rebound. */
+/* Without materials a law that takes them has no rebound, and no wall is made unless particles are
+ * to come with theirs. */
 static void a_pair_is_needed(void **state) {
   asp_error error;
-  asp_wall *wall = asp_wall_from_text("", 0, 0, &error);
+  asp_description *words = asp_description_parse("", NULL, NULL);
+  assert_null(asp_wall_create(words, 0, 0, &error));
+  assert_int_equal(error.code, ASP_EARG);
+  assert_non_null(strstr(error.text, "materials has 0 names"));
+  asp_description_expect_pairs(words);
+  asp_wall *wall = asp_wall_create(words, 0, 0, &error);
+  asp_description_free(words);
   const asp_particle bare = {.d_p = 1e-5, .density = 2650, .omega = {1, 2, 3}};
   const double v1[3] = {1, 2, -3};
   const asp_key key = {1, 1, 1, 1};
@@ -405,14 +412,9 @@ static void properties(void **state) {
         v1[k] = v * (cos(alpha) * t[k] - sin(alpha) * n[k]);
       if (!(dot(v1, n) < 0))
         continue;
-      asp_particle p = {pow(10, -9 + 8 * gsl_rng_uniform(rng)),
-                        2650,
-                        &quartz_on_nickel,
-                        {0, 0, 0},
-                        NULL,
-                        0,
-                        0,
-                        NULL};
+      asp_particle p = {.d_p = pow(10, -9 + 8 * gsl_rng_uniform(rng)),
+                        .density = 2650,
+                        .pair = &quartz_on_nickel};
       asp_impact impact;
       asp_wall_impact(s.wall, &p, v1, n, &(asp_key){9, (uint32_t)i, tag, 1}, &impact);
       double before = dot(v1, v1), after = dot(impact.v2, impact.v2);

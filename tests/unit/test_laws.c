@@ -156,7 +156,7 @@ static void table_law_looks_up(void **state) {
   choice.table = table;
   asp_wall *wall = wall_of(&choice);
   aspi_cor_table_free(table); /* the wall has a copy */
-  asp_particle grain = {1e-4, 2650, NULL, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle grain = {.d_p = 1e-4, .density = 2650, .pair = NULL};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
   asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1}, &impact);

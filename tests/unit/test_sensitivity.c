@@ -139,9 +139,10 @@ static void steeper_walls_are_refused(void **state) {
 static void walls_without_weights_are_refused(void **state) {
   (void)state;
   static const char *const walls[] = {
-      "surface smooth", "surface rq 5um lambda_c 40um spread visible isotropic collisions single",
-      "surface rq 5um lambda_c 40um dp_bins 1 spread traced plane",
-      "surface rq 5um lambda_c 40um spread visible plane"};
+      WALL("surface smooth"),
+      WALL("surface rq 5um lambda_c 40um spread visible isotropic collisions single"),
+      WALL("surface rq 5um lambda_c 40um dp_bins 1 spread traced plane"),
+      WALL("surface rq 5um lambda_c 40um spread visible plane")};
   asp_wall *own = wall_of(WALL("surface rq 5um lambda_c 40um"));
   const asp_particle grain = {.d_p = 1e-5, .density = 2650};
   const asp_key key = {1, 1, 1, 1};

@@ -9,18 +9,23 @@
 
 static const double up[3] = {0, 0, 1};
 
-/* A smooth wall by the words behind `rebound`. */
+/* A smooth wall by the words behind `rebound`, for particles with pairs of their own. */
 static asp_wall *smooth(const char *law) {
   char text[200];
   snprintf(text, sizeof text, "rebound %s", law);
-  asp_wall *wall = asp_wall_from_text(text, 0, 0, NULL);
+  asp_description *words = asp_description_parse(text, NULL, NULL);
+  assert_non_null(words);
+  asp_description_expect_pairs(words);
+  asp_wall *wall = asp_wall_create(words, 0, 0, NULL);
   assert_non_null(wall);
+  asp_description_free(words);
   return wall;
 }
 
 static asp_impact hit(const asp_wall *wall, const asp_pair *pair, const double v1[3],
                       const double omega[3]) {
-  asp_particle particle = {5e-3, 3950, pair, {omega[0], omega[1], omega[2]}, NULL, 0, 0, NULL};
+  asp_particle particle = {
+      .d_p = 5e-3, .density = 3950, .pair = pair, .omega = {omega[0], omega[1], omega[2]}};
   asp_impact impact;
   asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
   return impact;
@@ -117,7 +122,8 @@ static void energy_with_spin_never_grows(void **state) {
       w[d] = (2 * gsl_rng_uniform(rng) - 1) / r * (tag % 3 ? 1 : 5);
     }
     v[2] = -fabs(v[2]);
-    asp_particle particle = {2 * r, 2650, &pair, {w[0], w[1], w[2]}, NULL, 0, 0, NULL};
+    asp_particle particle = {
+        .d_p = 2 * r, .density = 2650, .pair = &pair, .omega = {w[0], w[1], w[2]}};
     asp_impact impact;
     asp_wall_impact(wall, &particle, v, up, &(asp_key){1, 1, tag, 1}, &impact);
     assert_true(energy(impact.v2, impact.omega, r) <= energy(v, w, r) * (1 + 1e-13));
@@ -134,7 +140,7 @@ static const double E = 50e9, RHO = 2500, R = 2.5e-3;
 
 static double restitution_of(double d_p, double density, const asp_pair *pair, double speed) {
   asp_wall *wall = smooth("thornton_ning pressure_ratio 1");
-  asp_particle particle = {d_p, density, pair, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
   double v1[3] = {0, 0, -speed};
   asp_impact impact;
   asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
@@ -280,7 +286,7 @@ static void a_flow_takes_away(void **state) {
   static const double measured[][2] = {
       {0.258, 0.996}, {0.381, 0.941}, {0.525, 0.886}, {1.497, 0.150}, {3.135, 0.061}};
   enum { N = 20000 };
-  asp_particle particle = {10e-6, 3950, &pair, {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle particle = {.d_p = 10e-6, .density = 3950, .pair = &pair};
   aspi_wall_choice choice = choice_of("bons");
   choice.flow = (aspi_flow){.density = 1.2, .viscosity = 1.5e-5, .micron = 1e-6};
   asp_wall *wall = wall_of(&choice);
@@ -319,7 +325,7 @@ static void holds_by_what_it_sticks(void **state) {
   best_of(2 * r, rho, &pair, &sticks);
   double work = r * pow(pow(sticks / 1.84, 6) * pow(rho, 3) * 118e9 * 118e9, 0.2);
   double pull = 10.45 * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
-  asp_particle particle = {2 * r, rho, &pair, {0, 0, 0}, NULL, 0, u, NULL};
+  asp_particle particle = {.d_p = 2 * r, .density = rho, .pair = &pair, .u_tau = u};
   for (int i = 0; i < 2; i++) { /* with 0.7 of that, and 1.1 of it */
     aspi_wall_choice choice = choice_of("thornton_ning");
     choice.flow = (aspi_flow){.density = (i ? 1.1 : 0.7) * 1.5 * M_PI * work * r / pull,

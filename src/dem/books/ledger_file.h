@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "base/ledger_columns.h"
 
 namespace asperity {

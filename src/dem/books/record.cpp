@@ -7,7 +7,7 @@
 #include <string.h>
 #include <algorithm>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/error.h"
 #include "dem/text.h"
 

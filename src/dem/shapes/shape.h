@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/shapes/motion.h"
 
 namespace asperity {

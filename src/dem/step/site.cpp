@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/flight.h"
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/text.h"

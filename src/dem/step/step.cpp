@@ -28,7 +28,7 @@
 #include <math.h>
 #include <algorithm>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "contact/vector.h"
 
 using namespace asperity;

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "asperity_internal.h"
+#include "asperity_engine.h"
 #include "dem/books/books.h"
 #include "dem/setup.h"
 #include "dem/step/ahead.h"

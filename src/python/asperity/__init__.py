@@ -58,11 +58,11 @@ def _struct(columns: str) -> np.dtype:
 
 BODY = _struct("inverse_mass f8, inverse_inertia 6f8, lever 3f8")  # asp_body
 _PARTICLE = _struct("d_p f8, density f8, pair uintp, omega 3f8, lay uintp, temperature f8, "
-                    "u_tau f8, body uintp")
+                    "u_tau f8, body uintp, reserved 4f8")
 _QUESTION = _struct("words uintp, wall uintp, d_least f8, largest uintp, material 2uintp")
 _KEY = _struct("seed u4, wall u4, tag u8, impact u4")
 _IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capped ?, outcome i4, "
-                  "eroded f8")
+                  "eroded f8, reserved 4f8")
 _COEFFICIENTS = _struct("v1 f8, alpha1 f8, v2 f8, alpha2 f8, cor_v f8, cor_alpha f8, cor_n f8, "
                         "cor_v_space f8, cor_alpha_space f8, cor_t f8")
 
@@ -76,8 +76,7 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "description_text": (_N, _P, _P, _N), "description_get": (_D, _P, _S),
     "description_word": (_S, _P, _S), "description_lay": (_Lay, _P),
     "description_material": (_P, _P, c_int), "material_get": (_D, _P, _S),
-    "doubt": (c_bool, _P, c_int, _P, _N),
-    "description_needs_sizes": (c_bool, _P), "description_check_pair": (c_int, _P, _E),
+    "doubt": (c_bool, _P, c_int, _P, _N), "description_needs_sizes": (c_bool, _P),
     "description_set_heights": (c_int, _P, _P, _E), "heights_free": (None, _P),
     "heights_create": (_P, _P, _N, _N, _D, _D, c_bool, _E),
     "wall_create": (_P, _P, _D, _D, _E), "wall_free": (None, _P), "wall_pair": (_P, _P),
@@ -176,7 +175,6 @@ walton 0.9 0.3 0 deposit freeze seed 1')
     def __init__(self, words: str, d_p: ArrayLike = 0, *, heights: ArrayLike | None = None,
                  step: ArrayLike = 0, periodic: bool = False, name: str = "python") -> None:
         self._words = self._own("description", _call("description_parse", words.encode(), None))
-        _call("description_check_pair", self._words)
         heights = None if heights is None else np.array(heights)
         if heights is not None:
             self._set_heights(heights, np.atleast_1d(step).astype(float), periodic)
