@@ -11,29 +11,9 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Prints the options of `asperity surface` for those of the library's reader that a text names. */
-static void print_options(const char *text) {
-  static const char *const options[][2] = {{"x_column", "--read 'x_column 1 z_column 2'"},
-                                           {"step_x", "--read 'step 0.5um'"},
-                                           {"missing", "--read 'missing VALUE'"},
-                                           {"unit_", "--unit UNIT"},
-                                           {"spikes", "--spikes 12"},
-                                           {"fill", "--gaps fill"},
-                                           {"form", "--form 2"},
-                                           {"lambda_s", "--filter 'lambda_s LENGTH'"}};
-  const char *named = strstr(text, "reader: "), *before = ": asperity surface ";
-  for (size_t i = 0; named && i < sizeof options / sizeof *options; i++)
-    if (strstr(named, options[i][0])) {
-      fprintf(stderr, "%s%s", before, options[i][1]);
-      before = ", ";
-    }
-}
-
 static void say(const char *kind, const char *format, va_list args) {
-  char text[2000];
-  vsnprintf(text, sizeof text, format, args);
-  fprintf(stderr, "asperity: %s%s", kind, text);
-  print_options(text);
+  fprintf(stderr, "asperity: %s", kind);
+  vfprintf(stderr, format, args);
   fputc('\n', stderr);
 }
 

@@ -57,57 +57,27 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-static void take_steps(const cli_option *value, aspi_profile_options *read) {
-  cli_list steps = cli_lengths(value);
+static void read_step(const cli_option *option, aspi_profile_options *read) {
+  cli_list steps = cli_lengths(option);
   if (steps.count > 2)
-    cli_bad_usage("--%s is '%s'; it must be one length, or two", value->name, value->value);
+    cli_bad_usage("--%s is '%s'; it must be one length, or two", option->name, option->value);
   read->step[0] = steps.values[0];
   read->step[1] = steps.values[steps.count - 1];
-  free(steps.values);
 }
 
-/* Takes the value of a word of --read, or of --filter; false: there is no such word. */
-static bool take_word(const char *word, bool filters, const cli_option *value,
-                      aspi_profile_options *read) {
-  if (filters) {
-    double *filter = strcmp(word, "tip") == 0        ? &read->filters.tip
-                     : strcmp(word, "lambda_s") == 0 ? &read->filters.lambda_s
-                     : strcmp(word, "cutoff") == 0   ? &read->filters.cutoff
-                                                     : NULL;
-    if (filter)
-      *filter = cli_length(value);
-    return filter;
-  }
-  if (strcmp(word, "row") == 0)
-    read->row = (int)cli_whole(value, 1, 1000000);
-  else if (strcmp(word, "column") == 0)
-    read->column = (int)cli_whole(value, 1, 1000000);
-  else if (strcmp(word, "missing") == 0)
-    read->missing = cli_number(value, -1e300, 1e300);
-  else if (strcmp(word, "x_column") == 0)
-    read->x_column = value->value;
-  else if (strcmp(word, "z_column") == 0)
-    read->z_column = value->value;
-  else if (strcmp(word, "spacing") == 0)
-    read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
-  else if (strcmp(word, "step") == 0)
-    take_steps(value, read);
-  else
-    return false;
-  return true;
-}
-
-/* Words and their values, with blanks between. */
-static void take_words(const cli_option *option, bool filters, aspi_profile_options *read) {
-  if (!option->value)
-    return;
-  char *text = cli_copy(option->value), name[80];
-  for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
+/* Words and their lengths, with blanks between. */
+static void read_filters(const cli_option *option, aspi_filters *filters) {
+  static const char words[] = "tip lambda_s cutoff";
+  double *const lengths[] = {&filters->tip, &filters->lambda_s, &filters->cutoff};
+  char *text = cli_copy(option->value), *word, name[80];
+  while ((word = aspi_text_field(&text, ' ')) != NULL) {
+    int index = aspi_word_index(words, word, strlen(word), true);
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
-    const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
-    if (!value.value || !take_word(word, filters, &value, read))
-      cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
-                    option->value, word, option->help);
+    const cli_option length = {name, "LENGTH", option->help, aspi_text_field(&text, ' ')};
+    if (index < 0 || !length.value)
+      cli_bad_usage("--%s is '%s'; '%s' is unknown or without a length; there are: %s",
+                    option->name, option->value, word, option->help);
+    *lengths[index] = cli_length(&length);
   }
 }
 
@@ -116,12 +86,19 @@ static aspi_profile_options read_options(const cli_call *call) {
   const cli_option *form = cli_get(call, "form");
   if (cli_value(call, "unit"))
     read_unit(cli_get(call, "unit"), &read);
-  read.form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
-  read.fill = cli_choice(cli_get(call, "gaps"));
+  if (cli_value(call, "step"))
+    read_step(cli_get(call, "step"), &read);
+  if (cli_value(call, "missing"))
+    read.missing = cli_number(cli_get(call, "missing"), -1e300, 1e300);
   if (cli_value(call, "spikes"))
     read.spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
-  take_words(cli_get(call, "read"), false, &read);
-  take_words(cli_get(call, "filter"), true, &read);
+  if (cli_value(call, "filter"))
+    read_filters(cli_get(call, "filter"), &read.filters);
+  read.x_column = cli_value(call, "x-column");
+  read.column = cli_value(call, "column");
+  read.row = (int)cli_whole(cli_get(call, "row"), 1, 1000000);
+  read.form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
+  read.fill = cli_choice(cli_get(call, "gaps"));
   return read;
 }
 
@@ -271,8 +248,10 @@ static void check_options(const cli_call *call, const char *kind) {
   static const struct {
     const char *option;
     int own;
-  } list[] = {{"points", GENERATED}, {"filter", BY_PROFILE}, {"unit", MEASURED}, {"form", MEASURED},
-              {"gaps", MEASURED},    {"spikes", MEASURED},   {"read", MEASURED}};
+  } list[] = {{"points", GENERATED},    {"row", BY_PROFILE},    {"column", BY_PROFILE},
+              {"x-column", BY_PROFILE}, {"filter", BY_PROFILE}, {"unit", MEASURED},
+              {"step", MEASURED},       {"missing", MEASURED},  {"form", MEASURED},
+              {"gaps", MEASURED},       {"spikes", MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE
              : strcmp(kind, "rq") == 0      ? GENERATED
@@ -390,12 +369,13 @@ static const cli_option options[] = {
     {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     {"unit", "U[,U]",
      "unit of the columns of a file that does not state it, or the length that stands for 1", NULL},
-    {"read", "WORDS",
-     "content of the file: row N of an SDF, SUR or X3P map, column N (of such a map, or the "
-     "heights of a "
-     "text), x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
-     "LENGTH[,LENGTH] between heights without positions, or between columns and rows of a matrix",
+    {"row", "N", "row of an SDF, SUR or X3P map that is the profile", "1"},
+    {"column", "N|NAME", "column with the heights of a text, or of such a map in place of a row",
      NULL},
+    {"x-column", "N|NAME", "column with the positions of a text", NULL},
+    {"step", "LENGTH[,LENGTH]",
+     "between heights without positions, or between columns and rows of a matrix", NULL},
+    {"missing", "VALUE", "height that marks a missing one", NULL},
     {"form", "DEGREE", "degree of the polynomial that is subtracted as form: none, or 0 to 9", "1"},
     {"gaps", "refuse|fill", "refuse a file with bad and missing points, or fill them", "refuse"},
     {"spikes", "K", "count points more than K robust sd from their neighbors as bad", NULL},

@@ -44,8 +44,8 @@ static const char positions[] = "x pos position positions distance dist lateral 
                   depths[] = "depth depths tiefe profondeur", marks[] = "valid gueltig valide";
 
 #define ASK_COLUMNS                                                                                \
-  "say which columns are positions and heights (reader: x_column, column), "                       \
-  "or the step of heights alone (reader: column, step_x)"
+  "say which columns are positions and heights (asperity surface --x-column 1 --column 2), "       \
+  "or the step of heights alone (--step 0.5um)"
 #define DECIMAL_COMMAS                                                                             \
   "are there decimal commas? Separate columns by semicolons or tabs, or write decimal points"
 
@@ -131,21 +131,19 @@ static int first_of(const reader *r, const char *list, int other) {
 
 /* ---- columns ---- */
 
-/* A column that is asked for by its number from 1, or by its number or name as text: from 0, -1
- * where none is. Names are compared without their unit. */
-static asp_code find_asked(const reader *r, const char *asked, int number, int *found,
-                           asp_error *error) {
+/* A column that is asked for by its number from 1 or its name, without its unit: from 0, -1 where
+ * none is. */
+static asp_code find_asked(const reader *r, const char *asked, int *found, asp_error *error) {
   const aspi_table *t = r->table;
-  char *end = NULL;
-  if (asked)
-    number = (int)strtol(asked, &end, 10);
-  *found = number - 1;
-  if (!asked || !*end) {
-    if (number <= r->due && (number > 0 || !asked))
-      return ASP_OK;
-    return aspi_table_fail(t, error, "column %d is asked for; the file has %d columns", number,
+  char *end;
+  if (!asked)
+    return ASP_OK;
+  *found = (int)strtol(asked, &end, 10) - 1;
+  if (!*end && *found >= 0 && *found < r->due)
+    return ASP_OK;
+  if (!*end)
+    return aspi_table_fail(t, error, "column %s is asked for; the file has %d columns", asked,
                            r->due);
-  }
   for (*found = 0; *found < t->columns; ++*found) {
     const char *name = t->column[*found].name;
     size_t length = strcspn(name, "([{/_ ");
@@ -187,12 +185,12 @@ static asp_code find_units(reader *r, asp_error *error) {
       return aspi_table_fail(
           r->table, error,
           "no unit of the heights is stated before the first numbers; say which unit of "
-          "length they are in (reader: unit_z)");
+          "length they are in (asperity surface --unit um)");
     if (!(r->unit[k] > 0))
       return aspi_table_fail(
           r->table, error,
           "no unit of length is stated of column %d before the first numbers; say which "
-          "unit of length the columns are in (reader: unit_x, unit_z)",
+          "unit of length the columns are in (asperity surface --unit um)",
           at + 1);
     if (k == Z && c && is_of(depths, c))
       r->unit[k] *= -1;
@@ -204,8 +202,8 @@ static asp_code choose_profile(reader *r, asp_error *error) {
   const aspi_profile_options *o = r->options;
   bool alone = r->step[0] > 0;
   int named = r->table->columns, *x = &r->column[X], *z = &r->column[Z];
-  asp_code code = alone ? ASP_OK : find_asked(r, o->x_column, 0, x, error);
-  code = code ? code : find_asked(r, o->z_column, o->column, z, error);
+  asp_code code = alone ? ASP_OK : find_asked(r, o->x_column, x, error);
+  code = code ? code : find_asked(r, o->column, z, error);
   if (code)
     return code;
   if (*x >= 0 && *x == *z)
@@ -220,7 +218,8 @@ static asp_code choose_profile(reader *r, asp_error *error) {
                            r->table->separator == ',' ? " (or " DECIMAL_COMMAS ")" : "");
   if (!alone && r->due == 1)
     return aspi_table_fail(r->table, error,
-                           "heights alone of a profile need the step between them, reader: step_x");
+                           "heights alone of a profile need the step between them (asperity "
+                           "surface --step 0.5um)");
   complete(r, alone);
   if (*z < 0 || (*x < 0 && !alone))
     return aspi_table_fail(r->table, error, "no column is named as a %s; " ASK_COLUMNS,
@@ -382,7 +381,7 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   if (!(raw->step[0] > 0))
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: a matrix of heights does not say how far apart its points are; tell "
-                     "it (reader: step_x, step_y)",
+                     "it (asperity surface --step 0.5um)",
                      r->table->text.path);
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return code;
@@ -451,11 +450,11 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   const aspi_profile_options *o = r->options;
   const aspi_table *t = r->table;
   aspi_points points = {0};
-  bool chosen = o->x_column && (o->z_column || o->column);
+  bool chosen = o->x_column && o->column;
   if (t->start == 0)
     return aspi_table_fail(t, error,
                            "the file ends without a line of two numbers or more (heights alone of "
-                           "a profile need the step between them, reader: step_x)");
+                           "a profile need the step between them: asperity surface --step 0.5um)");
   r->due = t->columns > t->count ? t->columns : t->count;
   double unit = o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1);
   for (int k = 0; k < 2; k++)
@@ -480,9 +479,9 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
     code = aspi_missing_check(&r->missing, t->text.path, error);
   describe(r, raw);
   if (!code && !matrix)
-    code = raw->is_map ? aspi_points_grid(&points, t->text.path, r->unit, raw, error)
-                       : aspi_points_line(&points, t->text.path, r->unit, r->column[Y] >= 0,
-                                          o->resample, raw, error);
+    code = raw->is_map
+               ? aspi_points_grid(&points, t->text.path, r->unit, raw, error)
+               : aspi_points_line(&points, t->text.path, r->unit, r->column[Y] >= 0, raw, error);
   free(points.list);
   return code;
 }

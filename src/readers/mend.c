@@ -171,7 +171,7 @@ static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times
 static asp_code check_bad(const aspi_raw *raw, const char *path, size_t spikes, size_t first,
                           bool fill, asp_error *error) {
   size_t bad = aspi_raw_count_bad(raw);
-  char must[80] = "fill the gaps (reader: fill 1), or mend the file";
+  char must[100] = "fill the gaps (asperity surface --gaps fill --save FILE), or mend the file";
   if (fill ? 2 * bad <= raw->points : bad == 0)
     return ASP_OK;
   if (fill)

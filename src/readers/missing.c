@@ -45,6 +45,6 @@ asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *
     return ASP_OK;
   return aspi_fail(error, ASP_EDATA,
                    "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
-                   "for a missing one? Say so (reader: missing %.10g), or mend the file",
+                   "for a missing one? Say so (asperity surface --missing %.10g), or mend the file",
                    path, m->line, m->mark, m->marks, m->least, m->most, m->mark);
 }

@@ -107,7 +107,7 @@ static asp_code measure_along(aspi_points *p, const char *path, double ratio, as
   return aspi_fail(
       error, ASP_EDATA,
       "%.200s: the points in X and Y scatter across a line by %.2g of its length: no "
-      "profile; a map is read as one, and x_column takes one column alone for positions",
+      "profile; a map is read as one, and --x-column takes one column alone for positions",
       path, off);
 }
 
@@ -193,13 +193,8 @@ static asp_code interpolate(const aspi_points *p, double spacing, aspi_raw *raw,
   return code;
 }
 
-static asp_code resample(aspi_points *p, const char *path, bool allowed, aspi_raw *raw,
-                         asp_error *error) {
+static asp_code resample(aspi_points *p, const char *path, aspi_raw *raw, asp_error *error) {
   double range = p->list[p->count - 1].x - p->list[0].x;
-  if (!allowed)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: the spacing is not equal: %g to %g in the file's unit", path,
-                     raw->step_least, raw->step_most);
   double *at = aspi_allocate(p->count);
   if (!at)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu points", p->count);
@@ -217,7 +212,7 @@ static asp_code resample(aspi_points *p, const char *path, bool allowed, aspi_ra
 }
 
 asp_code aspi_points_line(aspi_points *p, const char *path, const double unit[2], bool in_plane,
-                          bool may_resample, aspi_raw *raw, asp_error *error) {
+                          aspi_raw *raw, asp_error *error) {
   double q = p->count > 0 ? rounding(p) : 0;
   asp_code code = in_plane ? measure_along(p, path, unit[1] / unit[0], error) : ASP_OK;
   if (!code)
@@ -227,7 +222,7 @@ asp_code aspi_points_line(aspi_points *p, const char *path, const double unit[2]
   raw->read = p->count;
   raw->resampled = !is_even(p, raw, q, &raw->step[0]);
   if (raw->resampled)
-    code = resample(p, path, may_resample, raw, error);
+    code = resample(p, path, raw, error);
   for (size_t i = 0; i < p->count && !code && !raw->resampled; i++)
     code = aspi_raw_add(raw, p->list[i].z, error);
   raw->step[0] *= unit[0];

@@ -13,7 +13,7 @@
 #include <string.h>
 
 aspi_profile_options aspi_profile_options_default(void) {
-  return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1, .missing = NAN};
+  return (aspi_profile_options){.meter = 1, .form = 1, .row = 1, .missing = NAN};
 }
 
 /* Adds what was read to what was mended. */
@@ -61,46 +61,28 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
     aspi_append(r->text, sizeof r->text, ", form left in");
 }
 
-/* Refuses the named options if they are given. */
-static asp_code refuse(const char *names, const char *why, const char *path,
-                       const aspi_profile_options *o, asp_error *error) {
-  const struct {
-    const char *name;
-    bool given;
-  } all[] = {{"tip", o->filters.tip > 0},
-             {"lambda_s", o->filters.lambda_s > 0},
-             {"cutoff", o->filters.cutoff > 0},
-             {"column", o->column > 0},
-             {"x_column", o->x_column != NULL},
-             {"z_column", o->z_column != NULL},
-             {"row", o->row != 1},
-             {"unit", o->unit_x > 0 || o->unit_z > 0},
-             {"step", o->step[0] > 0},
-             {"missing", !isnan(o->missing)}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (all[i].given && aspi_word_index(names, all[i].name, strlen(all[i].name), true) >= 0)
-      return aspi_fail(error, ASP_EARG, "%.200s: %s is given%s", path, all[i].name, why);
-  return ASP_OK;
-}
-
-static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+static asp_code read_raw(aspi_text *text, const aspi_profile_options *o, aspi_raw *raw,
                          asp_error *error) {
   aspi_format format = ASP_FORMAT_TEXT;
   asp_code code = aspi_format_find(text, &format, error);
-  if (!code && raw->is_map)
-    code = refuse("tip lambda_s cutoff column x_column z_column row",
-                  ", which is for profiles, not for maps", text->path, options, error);
-  if (!code && format != ASP_FORMAT_TEXT)
-    code = refuse("unit step missing x_column z_column",
-                  "; SDF, SUR and X3P state their units, spacing and bad points", text->path,
-                  options, error);
-  else if (!code)
-    code = refuse("row", "; text in columns has no rows", text->path, options, error);
+  const char *stated = o->unit_x > 0        ? "unit"
+                       : o->step[0] > 0     ? "step"
+                       : !isnan(o->missing) ? "missing"
+                       : o->x_column        ? "x-column"
+                                            : NULL;
+  if (!code && format != ASP_FORMAT_TEXT && stated)
+    code =
+        aspi_fail(error, ASP_EARG,
+                  "%.200s: %s is given; SDF, SUR and X3P state their units, spacing and bad points",
+                  text->path, stated);
+  if (!code && format == ASP_FORMAT_TEXT && o->row != 1)
+    code =
+        aspi_fail(error, ASP_EARG, "%.200s: row is given; text in columns has no rows", text->path);
   if (code)
     return code;
-  return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, options, raw, error)
-         : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, options, raw, error)
-                                    : aspi_read_sdf(text, format, options, raw, error);
+  return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, o, raw, error)
+         : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, o, raw, error)
+                                    : aspi_read_sdf(text, format, o, raw, error);
 }
 
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
@@ -153,10 +135,4 @@ asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char 
   if (text)
     snprintf(text, size, "%s", report.text);
   return heights;
-}
-
-const char *asp_reader_advice(const char *message) {
-  return strstr(message, "reader: ")
-             ? "; the command 'asperity surface' does so, and saves the file"
-             : "";
 }

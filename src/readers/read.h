@@ -6,8 +6,8 @@
 
 #include "base/text.h"
 
-/* Largest number of columns that a text file may use, and the highest degree of a form. */
-enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
+/* The highest degree of a form. */
+enum { ASP_FORM_MAX = 9 };
 
 /* The filters of instruments. Lengths in m; 0: that one is left out. They work in this order. */
 typedef struct aspi_filters {
@@ -23,12 +23,11 @@ typedef struct aspi_profile_options {
   int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
   double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */
-  bool fill;     /* bad points and gaps are filled by straight lines; false: they are refused */
-  bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
-  int row;       /* of an SDF map, from 1 */
-  int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
-  const char *x_column,
-      *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
+  bool fill; /* bad points and gaps are filled by straight lines; false: they are refused */
+  int row;   /* of an SDF map, from 1 */
+  const char *column; /* NULL, or: of an SDF map, that column instead; of a text file, the heights,
+                         by number from 1 or by name */
+  const char *x_column; /* of a text file, the positions alike; NULL: by the header */
   double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
                      the columns and the rows of a matrix; 0: as the file states */
   double missing; /* the height that marks a missing one; NAN: there is none */

@@ -14,6 +14,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -277,11 +278,11 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_o
   asp_code code = check(text, h, raw->is_map, error);
   if (code)
     return code;
-  bool by_column = options->column > 0;
-  int chosen = by_column ? options->column : options->row;
+  const char *by_column = options->column;
+  long chosen = by_column ? strtol(by_column, NULL, 10) : options->row;
   double most = by_column ? h->points : h->profiles;
-  if (chosen > most)
-    return aspi_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
+  if (chosen < 1 || (double)chosen > most)
+    return aspi_text_fail(text, text->line, error, "%s %ld is asked for; the map has %.0f",
                           by_column ? "column" : "row", chosen, most);
   raw->step[0] = by_column ? h->y_scale : h->x_scale;
   raw->step[1] = h->y_scale;

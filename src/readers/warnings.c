@@ -83,7 +83,7 @@ void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_
   if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
     aspi_append(text, size,
                 "%zu of %zu points lie over %g robust standard deviations off their neighbors, as "
-                "dust does; take them out (reader: spikes 12, fill 1)",
+                "dust does; take them out (asperity surface --spikes 12 --gaps fill --save FILE)",
                 outliers, s->points, ASP_SPIKES_CLEAR);
   if (s->levels > 0)
     aspi_append(text, size,
@@ -107,7 +107,8 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
   if (!(length >= LENGTH_LEAST * lambda))
     aspi_append(doubt, sizeof doubt,
                 "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
-                "carry a large sampling error; if it is bowed, take the bow out (reader: form 2)",
+                "carry a large sampling error; if it is bowed, take the bow out (asperity surface "
+                "--form 2 --save FILE)",
                 *doubt ? "; " : "", length / lambda, LENGTH_LEAST);
   return *doubt ? aspi_fail(error, ASP_ERANGE, "%s", doubt) : ASP_OK;
 }

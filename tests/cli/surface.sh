@@ -45,8 +45,8 @@ grep -q 'phi_r 0.00' m || die "--unit um,nm"
 grep -q 'warning: raw.txt: 1 of 2995 points .* --spikes 12' err || die "dust is not told"
 printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-6\nZscale = 1e-6\n*\n' > map.sdf
 awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
-"$asperity" surface surface profile map.sdf --dp 4um --read 'row 7' 2>&1 | grep -q '200 points; ' || die "--row"
-"$asperity" surface surface profile map.sdf --dp 4um --read 'column 7' 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
+"$asperity" surface surface profile map.sdf --dp 4um --row 7 2>&1 | grep -q '200 points; ' || die "--row"
+"$asperity" surface surface profile map.sdf --dp 4um --column 7 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 400; i++) print i "," sin(i / 30) }'; } > short.csv
 "$asperity" surface surface profile short.csv > m 2> err
 grep -q 'short.csv: .*only .* correlation lengths long' err || die "a short profile is not said"
@@ -76,7 +76,7 @@ refuses 2 noise.csv 'spacings of the points' --filter -- surface surface profile
 refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
 
 refuses 2 map.sdf 'unit is given' SDF -- surface surface profile map.sdf --unit um
-refuses 2 'row is given' -- surface surface profile waves.csv --read 'row 2'
+refuses 2 'row is given' -- surface surface profile waves.csv --row 2
 refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
 "$asperity" surface surface map map.sdf --dp 12um 2> err > /dev/null
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"

@@ -151,8 +151,6 @@ static void columns_are_chosen_by_their_names(void **state) {
   }
   how.step[0] = 1e-6;
   refuse("map", "has the positions of its points");
-  how.filters.cutoff = 1e-4;
-  refuse("map", "cutoff is given, which is for profiles");
 }
 
 /* Decimal commas beside commas; the mark that is stated. */
@@ -286,7 +284,8 @@ static void form_and_spikes_are_taken_out(void **state) {
   asp_heights_free(read_map("map"));
   assert_non_null(strstr(report.warnings, "2 of 7680 points lie over 20"));
   how.spikes = 15;
-  refuse("map", "is the first of 2 spikes; fill the gaps (reader: fill 1)");
+  refuse("map",
+         "is the first of 2 spikes; fill the gaps (asperity surface --gaps fill --save FILE)");
   how.fill = 1;
   asp_heights *mended = read_map("map");
   for (size_t i = 0; i < ROWS * COLUMNS; i++)
