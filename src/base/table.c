@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/table.h"
 #include "base/error.h"
+#include "base/grow.h"
 #include "base/units.h"
 
 #include <ctype.h>
@@ -22,51 +23,22 @@ static asp_code fail_memory(const aspi_table *t, asp_error *error) {
                    t->text.line);
 }
 
-/* Adds a field, without blanks around it. */
-static asp_code add_field(aspi_table *t, char *first, char *end, asp_error *error) {
-  if (t->all == t->room) {
-    int room = t->room ? 2 * t->room : 64;
-    char **grown = realloc(t->fields, (size_t)room * sizeof *grown);
-    if (!grown)
-      return fail_memory(t, error);
-    t->fields = grown;
-    t->room = room;
-  }
-  while (end > first && isspace((unsigned char)end[-1]))
-    end--;
-  *end = '\0';
-  t->fields[t->all++] = first;
-  t->count = *first ? t->all : t->count;
-  return ASP_OK;
-}
-
 /* Cuts the line at hand. */
 static asp_code cut(aspi_table *t, asp_error *error) {
-  char *c = t->text.text, *end = c + t->text.length, *first;
-  const char separator = t->separator;
-  asp_code code = ASP_OK;
+  char *rest = t->text.text, *field;
   t->count = t->all = 0;
-  if (memchr(c, '"', t->text.length)) {
-    while (!code && (first = aspi_text_field(&c, separator)) != NULL)
-      code = add_field(t, first, first + strlen(first), error);
-    return code;
+  while ((field = aspi_text_field(&rest, t->separator)) != NULL) {
+    if (t->all == t->room) {
+      char **grown = aspi_grow(t->fields, (size_t)t->all, sizeof *grown);
+      if (!grown)
+        return fail_memory(t, error);
+      t->fields = grown;
+      t->room = t->all ? 2 * t->all : 1;
+    }
+    t->fields[t->all++] = field;
+    t->count = *field ? t->all : t->count;
   }
-  for (bool more = true; more && !code; c++) {
-    while (c < end && (*c == ' ' || (*c != separator && isspace((unsigned char)*c))))
-      c++;
-    if (c == end && separator == ' ')
-      break;
-    first = c;
-    if (separator == ' ')
-      while (c < end && !isspace((unsigned char)*c))
-        c++;
-    else
-      while (c < end && *c != separator)
-        c++;
-    more = c < end;
-    code = add_field(t, first, c, error);
-  }
-  return code;
+  return ASP_OK;
 }
 
 /* Takes a tag off the front of a line in the header that it does not close, and those behind. */

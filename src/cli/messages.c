@@ -1,6 +1,7 @@
 /* Lines on stderr, exits with a message, memory or an exit, and the progress bar; see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/grow.h"
 #include "cli/cli.h"
 
 #include <math.h>
@@ -41,9 +42,7 @@ void *cli_allocate(size_t count, size_t size) {
 }
 
 void *cli_grow(void *array, size_t count, size_t size) {
-  if ((count & (count - 1)) != 0) /* full: 0, 1, 2, 4, 8, ... */
-    return array;
-  array = realloc(array, (count ? 2 * count : 1) * size);
+  array = aspi_grow(array, count, size);
   if (!array)
     cli_fail("out of memory for over %zu numbers or rows of %zu bytes", count, size);
   return array;

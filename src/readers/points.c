@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/points.h"
 #include "base/error.h"
+#include "base/grow.h"
 #include "base/number.h"
 #include "base/tolerances.h"
 #include "surface/heights.h"
@@ -34,15 +35,10 @@
 #define GRID_PART (1 / 32.)
 
 asp_code aspi_points_add(aspi_points *p, aspi_point point, asp_error *error) {
-  if (p->count == p->room) {
-    size_t room = p->room ? p->room + p->room / 2 : 1024;
-    aspi_point *grown =
-        room <= SIZE_MAX / sizeof *grown ? realloc(p->list, room * sizeof *grown) : NULL;
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu points", p->count);
-    p->list = grown;
-    p->room = room;
-  }
+  aspi_point *grown = aspi_grow(p->list, p->count, sizeof *grown);
+  if (!grown)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu points", p->count);
+  p->list = grown;
   p->list[p->count++] = point;
   return ASP_OK;
 }

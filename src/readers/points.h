@@ -14,7 +14,7 @@ typedef struct aspi_point {
 
 typedef struct aspi_points {
   aspi_point *list; /* for the caller to free */
-  size_t count, room;
+  size_t count;
   int decimals, digits; /* the most that any position is written with */
 } aspi_points;
 

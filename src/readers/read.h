@@ -68,7 +68,7 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
 typedef struct aspi_raw {
   double *z; /* m */
   bool is_map;
-  size_t points, room, columns, rows;
+  size_t points, columns, rows;
   double step[2];   /* m, between columns and rows; of a profile the first alone */
   size_t read, bad; /* points in the file, and the bad ones of them */
   size_t bad_line;  /* where the first bad point or gap is; 0: not known */

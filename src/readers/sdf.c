@@ -36,17 +36,15 @@ static double *place_of(aspi_sdf *h, const char *key) {
 
 /* One line of the header; *ends at the star. */
 static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *error) {
-  char *line = aspi_text_trim(text->text);
-  *ends = strcmp(line, "*") == 0;
-  if (*ends || !*line)
+  char *rest = text->text, *key = aspi_text_field(&rest, '='),
+       *value = aspi_text_field(&rest, '\0');
+  *ends = strcmp(key, "*") == 0;
+  if (*ends || (!*key && !value))
     return ASP_OK;
-  char *equals = strchr(line, '=');
-  if (!equals)
+  if (!value)
     return aspi_text_fail(text, text->line, error,
                           "'%.40s' where the header's `key = value` or its closing * is expected",
-                          line);
-  *equals = '\0';
-  char *key = aspi_text_trim(line), *value = aspi_text_trim(equals + 1);
+                          key);
   double *place = place_of(h, key);
   if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
     return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
@@ -132,12 +130,12 @@ static asp_code cut_short(const aspi_text *text, const char *what, asp_error *er
 static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
   unsigned char head[96];
   size_t width = 2, at = 8 + 10 + 12 + 12;
-  if (aspi_text_bytes(text, head, 8) != 8)
+  if (fread(head, 1, 8, text->stream) != 8)
     return cut_short(text, "header", error);
   if (memcmp(head + 1, "ISO-2", 5) == 0)
     width = 4;
   size_t length = at + 2 * width + 4 * 8 + 3;
-  if (aspi_text_bytes(text, head + 8, length - 8) != length - 8)
+  if (fread(head + 8, 1, length - 8, text->stream) != length - 8)
     return cut_short(text, "header", error);
   const unsigned char *scales = head + at + 2 * width;
   *h = (aspi_sdf){.points = (double)whole(head + at, (int)width),
@@ -155,7 +153,8 @@ static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *erro
 static double unit_at(const unsigned char *bytes) {
   char name[17];
   snprintf(name, sizeof name, "%.16s", (const char *)bytes);
-  const char *unit = aspi_text_trim(name);
+  char *rest = name;
+  const char *unit = aspi_text_field(&rest, '\0');
   return aspi_unit_meters(unit, strlen(unit));
 }
 
@@ -163,7 +162,7 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
   enum { TYPE = 18, MISSING = 86, BITS = 98, LEAST = 100, COUNTS = 108, STEPS = 120, UNITS = 180 };
   enum { COMMENT = 334, HEAD = 512 };
   unsigned char head[HEAD];
-  if (aspi_text_bytes(text, head, sizeof head) != sizeof head)
+  if (fread(head, 1, sizeof head, text->stream) != sizeof head)
     return cut_short(text, "header", error);
   *h = (aspi_sdf){.points = (double)whole(head + COUNTS, 4),
                   .profiles = (double)whole(head + COUNTS + 4, 4),
@@ -174,8 +173,7 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
                           : whole(head + BITS, 2) == 16 ? 5
                                                         : -2,
                   .mark = whole(head + MISSING, 2) ? height_of(head + LEAST, 6) - 2 : NAN};
-  for (uint64_t skip = whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2); skip > 0; skip--)
-    aspi_text_bytes(text, head, 1);
+  fseek(text->stream, (long)(whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2)), SEEK_CUR);
   if (whole(head + TYPE, 2) > 2)
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: a SUR file of type %d, which is neither a profile nor a surface",
@@ -191,7 +189,7 @@ static asp_code read_height(aspi_text *text, const aspi_sdf *h, size_t index, do
   if (h->type >= 0) {
     unsigned char bytes[8];
     size_t size = (size_t)size_of[h->type];
-    if (aspi_text_bytes(text, bytes, size) != size)
+    if (fread(bytes, 1, size, text->stream) != size)
       return cut_short(text, "heights", error);
     *height = height_of(bytes, h->type);
     *height = fabs(*height - h->mark) <= 0 ? NAN : *height;

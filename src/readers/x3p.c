@@ -55,7 +55,7 @@ static void XMLCALL end_element(void *user, const char *name) {
               {"/ListDimension", &x->grid.points, NULL, 0},
               {"/PointDataLink", NULL, x->data, sizeof x->data},
               {"/ValidPointsLink", NULL, x->valid, sizeof x->valid}};
-  char *text = aspi_text_trim(x->text);
+  char *rest = x->text, *text = aspi_text_field(&rest, '\0');
   size_t end = strlen(x->at), own = strlen(name) + 1;
   for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
     size_t length = strlen(keys[i].at);
