@@ -430,13 +430,19 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
 
 /* Notes how the file was read, and what was not. */
 static void describe(const reader *r, aspi_raw *raw) {
-  if (r->due > 2 && !raw->is_map) {
-    raw->column[0] = r->column[X] + 1;
-    raw->column[1] = r->column[Z] + 1;
-    raw->second_column = r->column[Y] + 1;
-  }
-  raw->end_line = r->end_line;
-  raw->were_depths = r->unit[Z] < 0;
+  const int x = r->column[X] + 1, y = r->column[Y] + 1, z = r->column[Z] + 1;
+  bool chosen = r->due > 2 && !raw->is_map;
+  if (chosen && y > 0)
+    aspi_append(raw->text, sizeof raw->text,
+                ", distances in columns %d and %d, heights of column %d", x, y, z);
+  else if (chosen && x > 0)
+    aspi_append(raw->text, sizeof raw->text, ", of columns %d and %d", x, z);
+  else if (chosen)
+    aspi_append(raw->text, sizeof raw->text, ", of column %d", z);
+  if (r->unit[Z] < 0)
+    aspi_append(raw->text, sizeof raw->text, ", depths turned into heights");
+  if (r->end_line > 0)
+    aspi_append(raw->text, sizeof raw->text, ", data end before line %zu", r->end_line);
   if (r->stated > 0 && r->stated != r->table->rows)
     aspi_append(raw->note, sizeof raw->note, "%sthe header states %zu rows, there are %zu",
                 *raw->note ? "; " : "", r->stated, r->table->rows);

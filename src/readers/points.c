@@ -107,13 +107,15 @@ static asp_code measure_along(aspi_points *p, const char *path, double ratio, as
       path, off);
 }
 
-/* Turns falling positions round, and checks that all of them grow. */
-static asp_code put_in_order(aspi_points *p, const char *path, aspi_raw *raw, asp_error *error) {
+/* Turns falling positions round, and checks that all of them grow; the least and the largest of
+ * their steps. */
+static asp_code put_in_order(aspi_points *p, const char *path, double steps[2], aspi_raw *raw,
+                             asp_error *error) {
   aspi_point *list = p->list;
-  size_t n = p->count;
+  size_t n = p->count, repeats = 0;
   double sign = n > 0 && list[n - 1].x < list[0].x ? -1 : 1;
-  raw->falls = sign < 0;
-  raw->step_least = INFINITY;
+  steps[0] = INFINITY;
+  steps[1] = 0;
   for (size_t i = 1; i < n; i++) {
     double step = sign * (list[i].x - list[i - 1].x);
     if (step < 0)
@@ -121,16 +123,20 @@ static asp_code put_in_order(aspi_points *p, const char *path, aspi_raw *raw, as
                        "%.200s:%zu: position %.10g comes after %.10g; positions must all increase, "
                        "or all decrease",
                        path, list[i].line, list[i].x, list[i - 1].x);
-    raw->step_least = fmin(raw->step_least, step);
-    raw->step_most = fmax(raw->step_most, step);
-    raw->repeats += !(step > 0);
+    steps[0] = fmin(steps[0], step);
+    steps[1] = fmax(steps[1], step);
+    repeats += !(step > 0);
   }
-  if (n < ASP_SIDE_LEAST || !(raw->step_most > 0) || !isfinite(list[n - 1].x - list[0].x))
+  if (n < ASP_SIDE_LEAST || !(steps[1] > 0) || !isfinite(list[n - 1].x - list[0].x))
     return aspi_fail(error, ASP_EDATA,
                      "%.200s: the file ends after %zu point%s, from %g to %g; a profile has at "
                      "least 3 at increasing positions",
                      path, n, n == 1 ? "" : "s", n ? list[0].x : 0, n ? list[n - 1].x : 0);
-  for (size_t i = 0, j = n - 1; raw->falls && i < j; i++, j--) {
+  if (repeats > 0)
+    aspi_append(raw->text, sizeof raw->text, ", %zu repeated positions averaged", repeats);
+  if (sign < 0)
+    aspi_append(raw->text, sizeof raw->text, ", positions fall and are reversed");
+  for (size_t i = 0, j = n - 1; sign < 0 && i < j; i++, j--) {
     aspi_point other = list[i];
     list[i] = list[j];
     list[j] = other;
@@ -139,7 +145,7 @@ static asp_code put_in_order(aspi_points *p, const char *path, aspi_raw *raw, as
 }
 
 /* True if the positions are equally spaced but for rounding; *spacing by a least-squares line. */
-static bool is_even(const aspi_points *p, const aspi_raw *raw, double q, double *spacing) {
+static bool is_even(const aspi_points *p, const double steps[2], double q, double *spacing) {
   double n = (double)p->count, middle = (n - 1) / 2, mean = 0, product = 0, square = 0;
   for (size_t i = 0; i < p->count; i++)
     mean += p->list[i].x / n;
@@ -152,7 +158,7 @@ static bool is_even(const aspi_points *p, const aspi_raw *raw, double q, double 
   }
   *spacing = slope;
   return sqrt(square) <= 0.5 * q + UNEVEN_RMS * slope &&
-         fmax(raw->step_most - slope, slope - raw->step_least) <= q + UNEVEN_STEP * slope;
+         fmax(steps[1] - slope, slope - steps[0]) <= q + UNEVEN_STEP * slope;
 }
 
 /* Points at one position become one of their mean height. */
@@ -209,21 +215,23 @@ static asp_code resample(aspi_points *p, const char *path, aspi_raw *raw, asp_er
 
 asp_code aspi_points_line(aspi_points *p, const char *path, const double unit[2], bool in_plane,
                           aspi_raw *raw, asp_error *error) {
-  double q = p->count > 0 ? rounding(p) : 0;
+  double q = p->count > 0 ? rounding(p) : 0, steps[2];
   asp_code code = in_plane ? measure_along(p, path, unit[1] / unit[0], error) : ASP_OK;
   if (!code)
-    code = put_in_order(p, path, raw, error);
+    code = put_in_order(p, path, steps, raw, error);
   if (code)
     return code;
   raw->read = p->count;
-  raw->resampled = !is_even(p, raw, q, &raw->step[0]);
-  if (raw->resampled)
+  bool even = is_even(p, steps, q, &raw->step[0]);
+  if (!even)
     code = resample(p, path, raw, error);
-  for (size_t i = 0; i < p->count && !code && !raw->resampled; i++)
+  for (size_t i = 0; i < p->count && !code && even; i++)
     code = aspi_raw_add(raw, p->list[i].z, error);
   raw->step[0] *= unit[0];
-  raw->step_least *= unit[0];
-  raw->step_most *= unit[0];
+  if (!even)
+    aspi_append(raw->text, sizeof raw->text,
+                ", unequal spacing of %.4g to %.4g m resampled to %.4g m", steps[0] * unit[0],
+                steps[1] * unit[0], raw->step[0]);
   return code;
 }
 

@@ -22,33 +22,14 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
   const aspi_filters *f = &options->filters;
   *r->text = '\0';
   if (raw->is_map)
-    aspi_append(r->text, sizeof r->text, "%zu x %zu", raw->columns, raw->rows);
-  else
-    aspi_append(r->text, sizeof r->text, "%zu", raw->read);
-  aspi_append(r->text, sizeof r->text, " points read, %zu bad", raw->bad);
+    aspi_append(r->text, sizeof r->text, "%zu x ", raw->columns);
+  aspi_append(r->text, sizeof r->text, "%zu points read, %zu bad%s",
+              raw->is_map ? raw->rows : raw->read, raw->bad, raw->text);
   if (r->spikes)
     aspi_append(r->text, sizeof r->text, ", %zu spikes", r->spikes);
   if (r->filled)
     aspi_append(r->text, sizeof r->text, ", %zu points filled in (longest gap %zu)", r->filled,
                 r->longest_gap);
-  if (raw->resampled)
-    aspi_append(r->text, sizeof r->text, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
-                raw->step_least, raw->step_most, raw->step[0]);
-  if (raw->second_column > 0)
-    aspi_append(r->text, sizeof r->text, ", distances in columns %d and %d, heights of column %d",
-                raw->column[0], raw->second_column, raw->column[1]);
-  else if (raw->column[0] > 0)
-    aspi_append(r->text, sizeof r->text, ", of columns %d and %d", raw->column[0], raw->column[1]);
-  else if (raw->column[1] > 0)
-    aspi_append(r->text, sizeof r->text, ", of column %d", raw->column[1]);
-  if (raw->were_depths)
-    aspi_append(r->text, sizeof r->text, ", depths turned into heights");
-  if (raw->repeats)
-    aspi_append(r->text, sizeof r->text, ", %zu repeated positions averaged", raw->repeats);
-  if (raw->falls)
-    aspi_append(r->text, sizeof r->text, ", positions fall and are reversed");
-  if (raw->end_line)
-    aspi_append(r->text, sizeof r->text, ", data end before line %zu", raw->end_line);
   if (f->tip > 0)
     aspi_append(r->text, sizeof r->text, ", tip %g m", f->tip);
   if (f->lambda_s > 0)

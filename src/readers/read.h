@@ -72,15 +72,8 @@ typedef struct aspi_raw {
   double step[2];   /* m, between columns and rows; of a profile the first alone */
   size_t read, bad; /* points in the file, and the bad ones of them */
   size_t bad_line;  /* where the first bad point or gap is; 0: not known */
-  bool resampled;
-  size_t repeats;               /* positions that repeat the one before */
-  bool falls;                   /* positions fall in the file */
-  bool were_depths;             /* the file has depths, turned into heights here */
-  int column[2];                /* of positions and heights, from 1, where there are others too */
-  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
-  size_t end_line;              /* where the data end before the file does; 0: nowhere */
-  double step_least, step_most; /* m */
-  char note[160];               /* numbers of the file that were not read, or "" */
+  char text[300];   /* how the file was read, as ", of column 2", or "" */
+  char note[160];   /* numbers of the file that were not read, or "" */
 } aspi_raw;
 
 /* Adds a height (m). */

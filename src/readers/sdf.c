@@ -291,7 +291,6 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_o
   code = read_heights(text, h, by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0, raw,
                       error);
   raw->read = raw->points;
-  raw->step_least = raw->step_most = raw->step[0];
   return code;
 }
 
