@@ -15,7 +15,7 @@
 enum { ASP_PLAIN_MOST = 80 };
 
 typedef struct aspi_column {
-  const char *name; /* as the file has it */
+  char name[ASP_PLAIN_MOST]; /* as the file has it */
   /* The name with its unit in small letters, signs and Greek letters written out, all others as
    * single underscores: `α_1 [°]` is alpha_1_deg. */
   char plain[ASP_PLAIN_MOST];
@@ -26,20 +26,16 @@ typedef struct aspi_table {
   aspi_text text;
   bool owns_stream;
   char separator;
-  bool forced, thousands; /* the separator by `sep=`; commas stand between groups of digits */
-  int width;              /* fields of most rows, 0 if they differ */
-  int count, all;         /* fields of the line at hand, without empty ones behind and with them */
+  bool thousands; /* commas stand between groups of digits */
+  int width;      /* fields of most rows, 0 if they differ */
+  int count, all; /* fields of the line at hand, without empty ones behind and with them */
   char **fields;
   int room;
-  size_t start, rows; /* the line of the first row; of those that were taken, for the caller */
-  char *comment;      /* the first one, however long, or NULL */
-  char *header;       /* its lines, each with LF */
-  size_t header_length, header_room;
-  bool tagged;                     /* the first line begins with a tag, as in XML */
-  bool nameless;                   /* there are no names; they are "" */
-  bool header_is_comment, has_row; /* all of it; the row at hand is not taken yet */
-  char *line[2];                   /* copies of the lines that the names are in */
-  int columns;                     /* names */
+  size_t start, rows;     /* the line of the first row; of those that were taken, for the caller */
+  char *header;           /* its lines, each with LF */
+  bool tagged;            /* the first line begins with a tag, as in XML */
+  bool nameless, has_row; /* there are no names, they are ""; the row at hand is not taken yet */
+  int columns;            /* names */
   aspi_column *column;
 } aspi_table;
 

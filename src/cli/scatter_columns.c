@@ -130,15 +130,15 @@ static double factor_of(const char *kind, const char *unit, bool stated) {
 
 /* The unit of a ledger's column that has none in its name: of the units in the first comment, else
  * of SI; NAN where they have no size. */
-static double ledger_unit(const char *comment, const char *kind) {
+static double ledger_unit(const char *header, const char *kind) {
   static const asp_units styles[] = {
       {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}, {"nano", 1e9, 1e21, 1e9}};
-  const char *named = strstr(comment, UNITS);
+  const char *named = strstr(header, UNITS);
   named = named ? named + strlen(UNITS) : "si";
   if (!*kind || strcmp(kind, ANGLE) == 0)
     return 1;
   for (size_t i = 0; i < sizeof styles / sizeof *styles; i++)
-    if (strlen(styles[i].name) == strcspn(named, ";") &&
+    if (strlen(styles[i].name) == strcspn(named, ";\n") &&
         strncmp(styles[i].name, named, strlen(styles[i].name)) == 0)
       return 1 / aspi_quantity_factor(kind, &styles[i]);
   return NAN;
@@ -157,7 +157,7 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
   if (factor > 0)
     return factor;
   if (t->is_ledger)
-    return ledger_unit(t->table->comment, kind);
+    return ledger_unit(t->table->header, kind);
   if (strcmp(kind, LENGTH) == 0)
     cli_bad_usage("%s: the unit of column '%s' is not stated; name it %.*s_um, _mm or _m", path,
                   name, own, columns[column].names);
@@ -218,7 +218,7 @@ cli_scatter cli_scatter_open(const char *path, int end) {
   asp_error error;
   cli_scatter t = {.table = aspi_table_open(NULL, path, 0, &error)};
   cli_must(t.table, &error);
-  t.is_ledger = strstr(t.table->comment, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
+  t.is_ledger = strstr(t.table->header, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.at[c] = -1;
   for (int i = 0; i < t.table->columns; i++) {

@@ -167,7 +167,7 @@ static void read_ledger(study *s, const char *name) {
   static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
   double of[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
-  take_heading(s, name, ledger.table->comment);
+  take_heading(s, name, ledger.table->header);
   ledger.at[POINT] = ledger.at[POINT + COR_T] =
       -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
