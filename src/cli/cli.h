@@ -121,12 +121,6 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
-/* A file or folder that an exit, or a signal that ends the program, removes; NULL: there is none
- * any longer. cli_clean_up removes them now, in this order. */
-typedef enum cli_temporary { CLI_PARTIAL, CLI_TABLE, CLI_PICTURE, CLI_FOLDER } cli_temporary;
-void cli_remove_later(cli_temporary kind, const char *path);
-void cli_clean_up(void);
-
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
