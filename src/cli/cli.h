@@ -74,9 +74,13 @@ char *cli_copy(const char *text);
 /* An array of so many things with room for one more, where every one was added by this. */
 void *cli_grow(void *array, size_t count, size_t size);
 
-/* Exits where something that a library call gave is not good, with its message: exit 2, 1 where
- * there is no memory for it. */
-void cli_must(bool good, const asp_error *error);
+/* For the library calls of a command: what the last one that failed says. */
+extern asp_error cli_error;
+
+/* Exits with that where a call was not good, or made nothing: exit 2, 1 where there is no memory
+ * for it. */
+void cli_must(bool good);
+void *cli_made(void *thing);
 
 /* A list of values, or a truncated log-normal law if count is 0. The values live as long as the
  * command. */

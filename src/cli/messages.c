@@ -52,12 +52,19 @@ char *cli_copy(const char *text) {
   return strcpy(cli_allocate(strlen(text) + 1, 1), text);
 }
 
-void cli_must(bool good, const asp_error *error) {
+asp_error cli_error;
+
+void cli_must(bool good) {
   if (good)
     return;
-  if (error->code == ASP_ENOMEM)
-    cli_fail("%s", error->text);
-  cli_bad_usage("%s", error->text);
+  if (cli_error.code == ASP_ENOMEM)
+    cli_fail("%s", cli_error.text);
+  cli_bad_usage("%s", cli_error.text);
+}
+
+void *cli_made(void *thing) {
+  cli_must(thing);
+  return thing;
 }
 
 void cli_warn(const char *format, ...) {

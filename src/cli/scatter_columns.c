@@ -215,9 +215,7 @@ void cli_scatter_turn(cli_scatter *t, const cli_option *from) {
 }
 
 cli_scatter cli_scatter_open(const char *path, int end) {
-  asp_error error;
-  cli_scatter t = {.table = aspi_table_open(NULL, path, 0, &error)};
-  cli_must(t.table, &error);
+  cli_scatter t = {.table = cli_made(aspi_table_open(NULL, path, 0, &cli_error))};
   t.is_ledger = strstr(t.table->header, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.at[c] = -1;
@@ -240,12 +238,11 @@ cli_scatter cli_scatter_open(const char *path, int end) {
 
 void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
   char name[40];
-  asp_error error;
   snprintf(name, sizeof name, "%.*s", (int)strcspn(columns[column].names, " "),
            columns[column].names);
   if (t->at[column] < 0) {
-    aspi_table_need(t->table, name, &error);
-    cli_bad_usage("%s%s", error.text, hint);
+    aspi_table_need(t->table, name, &cli_error);
+    cli_bad_usage("%s%s", cli_error.text, hint);
   }
   if (isnan(t->factor[column]))
     cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->table->text.path,
@@ -271,9 +268,8 @@ static double outcome_of(const aspi_table *table, const char *word) {
 }
 
 bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
-  asp_error error;
   bool found, missing;
-  cli_must(!aspi_table_row(t->table, &found, &error), &error);
+  cli_must(!aspi_table_row(t->table, &found, &cli_error));
   for (int c = 0, first = t->count == 0; c < SCATTER_COLUMNS && first; c++)
     if (t->at[c] >= 0)
       t->used[t->count++] = c;
@@ -286,8 +282,7 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
       value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
     else
       cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / by, columns[c].most / by,
-                                  &value[c], t->needed[c] ? NULL : &missing, &error),
-               &error);
+                                  &value[c], t->needed[c] ? NULL : &missing, &cli_error));
     value[c] *= t->factor[c];
     value[c] = t->from_normal[c] ? 90 - value[c] : value[c];
   }

@@ -126,38 +126,34 @@ static void tell(FILE *out, const cli_measured *m) {
 static cli_measured read_file(const cli_call *call, const char *file, bool is_map,
                               const cli_list *sizes) {
   const aspi_profile_options how = read_options(call);
-  asp_error error;
   cli_measured m = {.name = file};
-  m.heights = aspi_read(NULL, file, is_map, &how, &m.report, &error);
-  cli_must(m.heights, &error);
-  if (asp_heights_describe(m.heights, &m.numbers, &error) ||
-      aspi_heights_check(m.heights, &m.numbers, &error))
-    cli_bad_usage("%s: %s", file, error.text);
+  m.heights = cli_made(aspi_read(NULL, file, is_map, &how, &m.report, &cli_error));
+  if (asp_heights_describe(m.heights, &m.numbers, &cli_error) ||
+      aspi_heights_check(m.heights, &m.numbers, &cli_error))
+    cli_bad_usage("%s: %s", file, cli_error.text);
   aspi_extent extent = aspi_heights_extent(m.heights);
   if (sizes->least < extent.spacing)
     cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it",
                   sizes->least * 1e6, aspi_kind_of_rows(m.heights->rows), extent.spacing * 1e6);
   if (*m.report.warnings)
     cli_warn("%s: %s", file, m.report.warnings);
-  if (aspi_sampling_check(sizes->least, extent.spacing, extent.length, m.numbers.lambda_2, &error))
-    cli_warn("%s: %s", file, error.text);
+  if (aspi_sampling_check(sizes->least, extent.spacing, extent.length, m.numbers.lambda_2,
+                          &cli_error))
+    cli_warn("%s: %s", file, cli_error.text);
   return m;
 }
 
 /* The profile along the flight; `more` is added to the seed. */
 static wall_profile generate_wall(const cli_call *call, const cli_description *wall,
                                   uint32_t more) {
-  asp_error error;
-  asp_surface *surface = aspi_description_surface(wall->words, &error);
-  cli_must(surface, &error);
+  asp_surface *surface = cli_made(aspi_description_surface(wall->words, &cli_error));
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall, surface));
   asp_surface_free(surface);
-  asp_heights *profile =
+  asp_heights *profile = cli_made(
       aspi_profile_generate(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
                             cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
-                            (uint32_t)asp_description_get(wall->words, "seed") + more, &error);
-  cli_must(profile, &error);
+                            (uint32_t)asp_description_get(wall->words, "seed") + more, &cli_error));
   return (wall_profile){profile, r_q, lambda_c, NULL};
 }
 
@@ -177,7 +173,7 @@ static double kappa_of(const slopes_row *row) {
 
 /* The slopes that discs of every size meet on a profile, in order, on all cores. */
 static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row *rows) {
-  asp_error error = {ASP_OK, ""};
+  cli_error.code = ASP_OK;
   size_t finished = 0;
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
 #pragma omp parallel for schedule(dynamic)
@@ -188,11 +184,11 @@ static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row 
 #pragma omp critical
     {
       if (own.code)
-        error = own;
+        cli_error = own;
       cli_progress_show(&progress, (double)++finished);
     }
   }
-  cli_must(!error.code, &error);
+  cli_must(!cli_error.code);
   cli_progress_end(&progress);
 }
 
@@ -224,11 +220,10 @@ enum { DRAWN_MOST = 1 << 16 };
 static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
   size_t n = wall->profile->columns, tilts;
   double *slope = cli_allocate(n, sizeof *slope), dx = wall->profile->step[0];
-  asp_error error;
-  asp_heights *center = aspi_profile_rolled(wall->profile, d_p, 1, &error);
-  asp_heights *closed = center ? aspi_profile_closed(wall->profile, d_p, &error) : NULL;
-  if (!closed || aspi_profile_slopes(wall->profile, d_p, slope, &tilts, &error))
-    cli_fail("%s", error.text);
+  asp_heights *center = aspi_profile_rolled(wall->profile, d_p, 1, &cli_error);
+  asp_heights *closed = center ? aspi_profile_closed(wall->profile, d_p, &cli_error) : NULL;
+  if (!closed || aspi_profile_slopes(wall->profile, d_p, slope, &tilts, &cli_error))
+    cli_fail("%s", cli_error.text);
   FILE *out = cli_plot_open(call);
   fputs("x_um,z_um,closed_um,center_um,tilt_deg\n", out);
   for (size_t i = 0; i < n && i < DRAWN_MOST; i++)
