@@ -108,7 +108,8 @@ asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, co
   va_start(args, format);
   aspi_print_list(message, sizeof message, format, args);
   va_end(args);
-  return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
+  return line > 0 ? aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message)
+                  : aspi_fail(error, ASP_EDATA, "%.200s: %s", text->path, message);
 }
 
 /* Reads up to the next LF, to be cut at CR, too. */

@@ -47,7 +47,7 @@ bool aspi_text_blank(const char *line);
  * quote in quotes is written twice. */
 char *aspi_text_field(char **next, char separator);
 
-/* ASP_EDATA and "<path>:<line>: <message>". */
+/* ASP_EDATA and "<path>:<line>: <message>"; line 0: there are none. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif

@@ -10,9 +10,9 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "readers/read.h"
-#include "surface/heights.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,18 +20,22 @@
 
 /* ---- header in ASCII ---- */
 
-/* The variable of a key; NULL for keys that do not matter here. */
-static double *place_of(aspi_sdf *h, const char *key) {
-  const struct {
-    const char *key;
-    double *place;
-  } keys[] = {{"NumPoints", &h->points}, {"NumProfiles", &h->profiles},
-              {"Xscale", &h->x_scale},   {"Yscale", &h->y_scale},
-              {"Zscale", &h->z_scale},   {"Compression", &h->compression}};
-  for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-    if (strcasecmp(keys[i].key, key) == 0)
-      return keys[i].place;
-  return NULL;
+/* The keys that matter, and the range of their numbers. */
+static const struct {
+  const char *key;
+  size_t place;
+  double least, most;
+  bool whole;
+} keys[] = {{"NumPoints", offsetof(aspi_sdf, points), 1, 1e12, true},
+            {"NumProfiles", offsetof(aspi_sdf, profiles), 1, 1e12, true},
+            {"Xscale", offsetof(aspi_sdf, x_scale), 1e-15, 1e9, false},
+            {"Yscale", offsetof(aspi_sdf, y_scale), 1e-15, 1e9, false},
+            {"Zscale", offsetof(aspi_sdf, z_scale), 1e-300, 1e300, false},
+            {"Compression", offsetof(aspi_sdf, compression), 0, 0, true}};
+enum { KEYS = sizeof keys / sizeof *keys, YSCALE = 3 };
+
+static double *place_of(const aspi_sdf *h, size_t key) {
+  return (double *)((char *)h + keys[key].place);
 }
 
 /* One line of the header; *ends at the star. */
@@ -45,10 +49,11 @@ static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *er
     return aspi_text_fail(text, text->line, error,
                           "'%.40s' where the header's `key = value` or its closing * is expected",
                           key);
-  double *place = place_of(h, key);
-  if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
-    return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
-                          value);
+  for (size_t i = 0; i < KEYS; i++)
+    if (strcasecmp(keys[i].key, key) == 0 &&
+        aspi_text_number(value, false, place_of(h, i)) != ASP_WORD_NUMBER)
+      return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
+                            value);
   return ASP_OK;
 }
 
@@ -124,7 +129,7 @@ static double height_of(const unsigned char *bytes, int type) {
 }
 
 static asp_code cut_short(const aspi_text *text, const char *what, asp_error *error) {
-  return aspi_fail(error, ASP_EDATA, "%.200s: the file ends within its %s", text->path, what);
+  return aspi_text_fail(text, 0, error, "the file ends within its %s", what);
 }
 
 static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
@@ -175,9 +180,9 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
                   .mark = whole(head + MISSING, 2) ? height_of(head + LEAST, 6) - 2 : NAN};
   fseek(text->stream, (long)(whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2)), SEEK_CUR);
   if (whole(head + TYPE, 2) > 2)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: a SUR file of type %d, which is neither a profile nor a surface",
-                     text->path, (int)whole(head + TYPE, 2));
+    return aspi_text_fail(text, 0, error,
+                          "a SUR file of type %d, which is neither a profile nor a surface",
+                          (int)whole(head + TYPE, 2));
   return ASP_OK;
 }
 
@@ -241,39 +246,27 @@ static asp_code read_heights(aspi_text *text, const aspi_sdf *h, size_t row_kept
 
 /* ---- both ---- */
 
-/* Checks the numbers of a header, in ASCII where type is -1. */
-static asp_code check(const aspi_text *text, const aspi_sdf *h, bool is_map, asp_error *error) {
-  const double least = is_map ? ASP_SIDE_LEAST : 1, most = 1e12;
-  const struct {
-    const char *key;
-    double value, least, most;
-    bool whole;
-  } all[] = {{"NumPoints", h->points, least, most, true},
-             {"NumProfiles", h->profiles, least, most, true},
-             {"Xscale", h->x_scale, 1e-15, 1e9, false},
-             {"Yscale", h->profiles > 1 ? h->y_scale : 1, 1e-15, 1e9, false},
-             {"Zscale", h->z_scale, 1e-300, 1e300, false},
-             {"Compression", h->compression, 0, 0, true},
-             {"DataType", h->type < 0 ? 0 : h->type, 0, TYPES - 1, true}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    double value = all[i].value;
-    char what[120] = "";
-    if (value >= all[i].least && value <= all[i].most && !(all[i].whole && value > floor(value)))
+/* Checks the numbers of a header; a single profile needs no distance between profiles. */
+static asp_code check(const aspi_text *text, const aspi_sdf *h, asp_error *error) {
+  for (size_t i = 0; i < KEYS; i++) {
+    double value = *place_of(h, i), least = keys[i].least, most = keys[i].most;
+    bool fits = value >= least && value <= most && !(keys[i].whole && value > floor(value));
+    if (fits || (i == YSCALE && !(h->profiles > 1)))
       continue;
     if (isnan(value))
-      aspi_append(what, sizeof what, "the header ends without %s", all[i].key);
-    else
-      aspi_append(what, sizeof what, "%s is %g; it must be %g to %g%s", all[i].key, value,
-                  all[i].least, all[i].most, all[i].whole ? ", a whole number" : "");
-    return h->type < 0 ? aspi_text_fail(text, text->line, error, "%s", what)
-                       : aspi_fail(error, ASP_EDATA, "%.200s: %s", text->path, what);
+      return aspi_text_fail(text, text->line, error, "the header ends without %s", keys[i].key);
+    return aspi_text_fail(text, text->line, error, "%s is %g; it must be %g to %g%s", keys[i].key,
+                          value, least, most, keys[i].whole ? ", a whole number" : "");
   }
-  return ASP_OK;
+  if (h->type >= -1 && h->type < TYPES)
+    return ASP_OK;
+  return aspi_text_fail(text, text->line, error, "DataType is %d; it must be 0 to %d", h->type,
+                        TYPES - 1);
 }
 
 asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_options *options,
                         aspi_raw *raw, asp_error *error) {
-  asp_code code = check(text, h, raw->is_map, error);
+  asp_code code = check(text, h, error);
   if (code)
     return code;
   const char *by_column = options->column;

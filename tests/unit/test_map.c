@@ -384,8 +384,9 @@ static void bad_files_are_refused(void **state) {
       {"DSCOMPRESSED", "the free program Gwyddion"},
       {"PK\x03\x04", "binary, a zip that cannot be opened"},
       {"bISO-1.0 x", "ends within its header"},
-      {"aISO-1.0\nNumPoints = 2\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
-       "NumPoints is 2; it must be 3"},
+      {"aISO-1.0\nNumPoints = 2\nNumProfiles = 3\nXscale = 1\nYscale = 1\nZscale = 1\n*\n"
+       "1 2 3 4 5 6\n*\n",
+       "its sides must have at least 3"},
       {"1 2 3 4\n5 6 7 8\n", "no unit of the heights"},
       {"# Value units: um\n1 2 3 4\n5 6 7\n", ":3: 3 fields, the first line of numbers has 4"},
       {"# Value units: um\n1 2 3 4\n5 6 7 x\n", ":3: '5 6 7 x' where numbers"},
