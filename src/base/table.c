@@ -130,7 +130,9 @@ static asp_code read_header(aspi_table *t, asp_error *error) {
     if (!aspi_text_blank(t->text.text) && !names_separator && ftell(header) < HEADER_MOST)
       fprintf(header, "%s\n", t->text.text);
   }
-  if (fclose(header) != 0 && !code)
+  bool bad = ferror(header);
+  bad = fclose(header) != 0 || bad || !t->header;
+  if (bad && !code)
     code = fail_memory(t, error);
   if (!code && t->start > 0 && t->tagged)
     take_off_tags(t);
@@ -275,7 +277,7 @@ static asp_code open_text(aspi_table *t, int least, asp_error *error) {
   if ((code = find_start(t, least, error)) || (code = read_header(t, error)))
     return code;
   if (t->start == 0 && !*t->header && least == 0)
-    return aspi_text_fail(&t->text, 1, error, "the file ends without column names");
+    return aspi_file_fail(t->text.path, 1, error, "the file ends without column names");
   t->has_row = t->start > 0;
   code = cut(t, error);
   return code ? code : take_names(t, least, error);

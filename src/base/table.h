@@ -56,7 +56,7 @@ asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
 
 /* ASP_EDATA and a message on the line at hand. */
 #define aspi_table_fail(table, error, ...)                                                         \
-  aspi_text_fail(&(table)->text, (table)->text.line, error, __VA_ARGS__)
+  aspi_file_fail((table)->text.path, (table)->text.line, error, __VA_ARGS__)
 
 /* Index of a column by its plain name, or -1; with a message that lists the columns there are. */
 int aspi_table_find(const aspi_table *table, const char *name);

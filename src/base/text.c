@@ -8,7 +8,6 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -101,17 +100,6 @@ asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
   return ASP_OK;
 }
 
-asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format,
-                        ...) {
-  char message[320];
-  va_list args;
-  va_start(args, format);
-  aspi_print_list(message, sizeof message, format, args);
-  va_end(args);
-  return line > 0 ? aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message)
-                  : aspi_fail(error, ASP_EDATA, "%.200s: %s", text->path, message);
-}
-
 /* Reads up to the next LF, to be cut at CR, too. */
 static asp_code read_on(aspi_text *t, asp_error *error) {
   errno = 0;
@@ -144,7 +132,7 @@ asp_code aspi_text_line(aspi_text *t, bool *found, asp_error *error) {
     t->rest = t->text += 3;
   t->length = (size_t)(end - t->text);
   if (memchr(t->text, '\0', t->length))
-    return aspi_text_fail(t, t->line, error,
+    return aspi_file_fail(t->path, t->line, error,
                           "a NUL byte: not a text file, or one in UTF-16 without a byte order mark "
                           "(save it as plain text)");
   return ASP_OK;

@@ -47,13 +47,6 @@ bool aspi_text_blank(const char *line);
  * quote in quotes is written twice. */
 char *aspi_text_field(char **next, char separator);
 
-/* ASP_EDATA and "<path>:<line>: <message>"; line 0: there are none. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
-asp_code
-aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format, ...);
-
 /* Kind of a word: a number, a mark for a missing one (empty, nan, inf, bad, ---, ...), or other
  * text. */
 typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } aspi_word;

@@ -258,7 +258,7 @@ static bool fits(reader *r) {
 }
 
 static asp_code fail_line(const reader *r, size_t line, const char *shown, asp_error *error) {
-  return aspi_text_fail(&r->table->text, line, error,
+  return aspi_file_fail(r->table->text.path, line, error,
                         "'%s' where numbers are expected (or a height that is missing: nan, bad, "
                         "--- or nothing)",
                         shown);
@@ -379,10 +379,9 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   for (int k = 0; k < 2; k++)
     raw->step[k] = r->step[k] > 0 ? r->step[k] : side[k] / (double)(k ? raw->rows : raw->columns);
   if (!(raw->step[0] > 0))
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: a matrix of heights does not say how far apart its points are; tell "
-                     "it (asperity surface --step 0.5um)",
-                     r->table->text.path);
+    return aspi_file_fail(r->table->text.path, 0, error,
+                          "a matrix of heights does not say how far apart its points are; tell "
+                          "it (asperity surface --step 0.5um)");
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return code;
 }
@@ -485,9 +484,8 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
     code = aspi_missing_check(&r->missing, t->text.path, error);
   describe(r, raw);
   if (!code && !matrix)
-    code = raw->is_map
-               ? aspi_points_grid(&points, t->text.path, r->unit, raw, error)
-               : aspi_points_line(&points, t->text.path, r->unit, r->column[Y] >= 0, raw, error);
+    code = raw->is_map ? aspi_points_grid(&points, r->unit, raw, error)
+                       : aspi_points_line(&points, r->unit, r->column[Y] >= 0, raw, error);
   free(points.list);
   return code;
 }

@@ -54,7 +54,7 @@ asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error
     }
   name = !name && size > 24 && is_sensofar(begin) ? "Sensofar PLU" : name;
   if (name && !code && !strstr(begin, "ASCII")) /* as WSxM begins its text, too */
-    return aspi_fail(error, ASP_EDATA, "%.200s: binary, of %s%s", text->path, name, way);
+    return aspi_file_fail(text->path, 0, error, "binary, of %s%s", name, way);
   first += strncmp(begin, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
   first += strspn(first, " \t\r\n");
   bool sdf =

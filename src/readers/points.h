@@ -27,9 +27,9 @@ void aspi_points_precision(aspi_points *points, const char *written);
  * and y. On a line in x and y (`in_plane`) a position is the distance from the first point. Heights
  * are those of the file where positions are equally spaced but for rounding, else between them.
  * ASP_EDATA where there is no line or grid. */
-asp_code aspi_points_line(aspi_points *points, const char *path, const double unit[2],
-                          bool in_plane, aspi_raw *raw, asp_error *error);
-asp_code aspi_points_grid(const aspi_points *points, const char *path, const double unit[2],
-                          aspi_raw *raw, asp_error *error);
+asp_code aspi_points_line(aspi_points *points, const double unit[2], bool in_plane, aspi_raw *raw,
+                          asp_error *error);
+asp_code aspi_points_grid(const aspi_points *points, const double unit[2], aspi_raw *raw,
+                          asp_error *error);
 
 #endif

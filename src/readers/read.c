@@ -71,7 +71,7 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
                        asp_error *error) {
   aspi_profile_options defaults = aspi_profile_options_default();
   aspi_profile_report own;
-  aspi_raw raw = {.is_map = is_map};
+  aspi_raw raw = {.path = path, .is_map = is_map};
   options = options ? options : &defaults;
   report = report ? report : &own;
   *report = (aspi_profile_report){0};
@@ -85,7 +85,7 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
     raw.bad = aspi_raw_count_bad(&raw);
   }
   if (!code)
-    code = aspi_mend(&raw, path, options, report, error);
+    code = aspi_mend(&raw, options, report, error);
   aspi_text_close(&text);
   if (file != stream)
     fclose(file);

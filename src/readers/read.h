@@ -66,7 +66,8 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
 /* Heights as a file has them, row by row; a profile is one row. NAN where a height is bad or
  * missing. Memory grows with what is read, so that a header's counts alone allocate nothing. */
 typedef struct aspi_raw {
-  double *z; /* m */
+  const char *path; /* for messages */
+  double *z;        /* m */
   bool is_map;
   size_t points, columns, rows;
   double step[2];   /* m, between columns and rows; of a profile the first alone */
@@ -115,8 +116,8 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profil
 
 /* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
  * into the report. */
-asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *options,
-                   aspi_profile_report *report, asp_error *error);
+asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
+                   asp_error *error);
 
 /* Filters heights at equal spacing, in place. ASP_EARG where a length does not fit the profile. */
 asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,

@@ -46,14 +46,14 @@ static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *er
   if (*ends || (!*key && !value))
     return ASP_OK;
   if (!value)
-    return aspi_text_fail(text, text->line, error,
+    return aspi_file_fail(text->path, text->line, error,
                           "'%.40s' where the header's `key = value` or its closing * is expected",
                           key);
   for (size_t i = 0; i < KEYS; i++)
     if (strcasecmp(keys[i].key, key) == 0 &&
         aspi_text_number(value, false, place_of(h, i)) != ASP_WORD_NUMBER)
-      return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
-                            value);
+      return aspi_file_fail(text->path, text->line, error, "%.40s is '%.40s'; a number is expected",
+                            key, value);
   return ASP_OK;
 }
 
@@ -66,7 +66,7 @@ static asp_code read_text_header(aspi_text *text, aspi_sdf *h, asp_error *error)
       continue;
     }
     if (!code && !found)
-      code = aspi_text_fail(text, text->line, error, "the file ends within the SDF header");
+      code = aspi_file_fail(text->path, text->line, error, "the file ends within the SDF header");
     if (!code)
       code = read_key(text, h, &ends, error);
     if (code)
@@ -129,7 +129,7 @@ static double height_of(const unsigned char *bytes, int type) {
 }
 
 static asp_code cut_short(const aspi_text *text, const char *what, asp_error *error) {
-  return aspi_text_fail(text, 0, error, "the file ends within its %s", what);
+  return aspi_file_fail(text->path, 0, error, "the file ends within its %s", what);
 }
 
 static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
@@ -180,7 +180,7 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
                   .mark = whole(head + MISSING, 2) ? height_of(head + LEAST, 6) - 2 : NAN};
   fseek(text->stream, (long)(whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2)), SEEK_CUR);
   if (whole(head + TYPE, 2) > 2)
-    return aspi_text_fail(text, 0, error,
+    return aspi_file_fail(text->path, 0, error,
                           "a SUR file of type %d, which is neither a profile nor a surface",
                           (int)whole(head + TYPE, 2));
   return ASP_OK;
@@ -205,11 +205,12 @@ static asp_code read_height(aspi_text *text, const aspi_sdf *h, size_t index, do
   if (code)
     return code;
   if (!word || strcmp(word, "*") == 0)
-    return aspi_text_fail(text, text->line, error,
+    return aspi_file_fail(text->path, text->line, error,
                           "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f",
                           index, h->points, h->profiles);
   if (aspi_text_number(word, false, height) == ASP_WORD_OTHER)
-    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected", word);
+    return aspi_file_fail(text->path, text->line, error, "'%.40s' where a height is expected",
+                          word);
   return ASP_OK;
 }
 
@@ -218,7 +219,7 @@ static asp_code read_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
   char *word = NULL;
   asp_code code = h->type < 0 ? aspi_text_word(text, &word, error) : ASP_OK;
   if (!code && word && *word != '*')
-    code = aspi_text_fail(text, text->line, error,
+    code = aspi_file_fail(text->path, text->line, error,
                           "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
                           word, h->points, h->profiles);
   return code;
@@ -254,14 +255,15 @@ static asp_code check(const aspi_text *text, const aspi_sdf *h, asp_error *error
     if (fits || (i == YSCALE && !(h->profiles > 1)))
       continue;
     if (isnan(value))
-      return aspi_text_fail(text, text->line, error, "the header ends without %s", keys[i].key);
-    return aspi_text_fail(text, text->line, error, "%s is %g; it must be %g to %g%s", keys[i].key,
-                          value, least, most, keys[i].whole ? ", a whole number" : "");
+      return aspi_file_fail(text->path, text->line, error, "the header ends without %s",
+                            keys[i].key);
+    return aspi_file_fail(text->path, text->line, error, "%s is %g; it must be %g to %g%s",
+                          keys[i].key, value, least, most, keys[i].whole ? ", a whole number" : "");
   }
   if (h->type >= -1 && h->type < TYPES)
     return ASP_OK;
-  return aspi_text_fail(text, text->line, error, "DataType is %d; it must be 0 to %d", h->type,
-                        TYPES - 1);
+  return aspi_file_fail(text->path, text->line, error, "DataType is %d; it must be 0 to %d",
+                        h->type, TYPES - 1);
 }
 
 asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_options *options,
@@ -273,7 +275,7 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_o
   long chosen = by_column ? strtol(by_column, NULL, 10) : options->row;
   double most = by_column ? h->points : h->profiles;
   if (chosen < 1 || (double)chosen > most)
-    return aspi_text_fail(text, text->line, error, "%s %ld is asked for; the map has %.0f",
+    return aspi_file_fail(text->path, text->line, error, "%s %ld is asked for; the map has %.0f",
                           by_column ? "column" : "row", chosen, most);
   raw->step[0] = by_column ? h->y_scale : h->x_scale;
   raw->step[1] = h->y_scale;

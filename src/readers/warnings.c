@@ -47,10 +47,11 @@ asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *
   bool off = m->mark < m->least - OFF * range || m->mark > m->most + OFF * range;
   if (m->count == 0 || m->marks == 0 || !off)
     return ASP_OK;
-  return aspi_fail(error, ASP_EDATA,
-                   "%.200s:%zu: height %.10g, %zu times, beside heights of %g to %g: does it stand "
-                   "for a missing one? Say so (asperity surface --missing %.10g), or mend the file",
-                   path, m->line, m->mark, m->marks, m->least, m->most, m->mark);
+  return aspi_file_fail(
+      path, m->line, error,
+      "height %.10g, %zu times, beside heights of %g to %g: does it stand "
+      "for a missing one? Say so (asperity surface --missing %.10g), or mend the file",
+      m->mark, m->marks, m->least, m->most, m->mark);
 }
 
 /* ---- steps and ends ---- */
