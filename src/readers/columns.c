@@ -257,13 +257,6 @@ static bool fits(reader *r) {
   return good;
 }
 
-static asp_code fail_line(const reader *r, size_t line, const char *shown, asp_error *error) {
-  return aspi_file_fail(r->table->text.path, line, error,
-                        "'%s' where numbers are expected (or a height that is missing: nan, bad, "
-                        "--- or nothing)",
-                        shown);
-}
-
 /* The beginning of the line at hand, and if there are digits in it. */
 static bool show(const aspi_table *t, char *shown, size_t size) {
   bool digits = false;
@@ -299,17 +292,21 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
   size_t other = 0;
   double value;
   asp_code code;
+  bool is_first = t->has_row; /* which is counted */
   while (!(code = aspi_table_line(t, found, error)) && *found) {
     bool full = r->stated > 0 && t->rows >= r->stated;
     bool good = fits(r),
          first = (other || !good) && aspi_table_field(t, 0, &value) == ASP_WORD_NUMBER;
     if (good && !other) {
-      t->rows++;
+      t->rows += !is_first;
       return check_count(r, error);
     }
     bool digits = show(t, other ? shown : first_shown, sizeof shown);
     if (!full && (other ? good && first : first || t->rows < ROWS_LEAST))
-      return fail_line(r, other ? other : t->text.line, first_shown, error);
+      return aspi_file_fail(t->text.path, other ? other : t->text.line, error,
+                            "'%s' where numbers are expected (or a height that is missing: nan, "
+                            "bad, --- or nothing)",
+                            first_shown);
     other = other ? other : t->text.line;
     r->left_line = r->left == 0 ? t->text.line : r->left_line;
     r->left += digits;
@@ -365,13 +362,9 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   const aspi_profile_options *o = r->options;
   asp_code code = ASP_OK;
   raw->columns = (size_t)r->due;
-  for (bool found = true; found && !code;) {
+  for (bool found; !code && !(code = next_row(r, &found, error)) && found; raw->rows++)
     for (int i = 0; i < r->due && !code; i++)
       code = aspi_raw_add(raw, height_at(r, i, raw), error);
-    raw->rows++;
-    if (!code)
-      code = next_row(r, &found, error);
-  }
   if (code)
     return code;
   take_axes(r, o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1), raw);
@@ -409,7 +402,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
     return aspi_table_fail(
         r->table, error,
         "the spacing is given (step), but the file has the positions of its points");
-  for (bool found = true; found && !code;) {
+  for (bool found; !code && !(code = next_row(r, &found, error)) && found;) {
     double position[2] = {(double)points->count * r->step[0], 0};
     for (int k = X; k <= Y; k++)
       if (at[k] >= 0) {
@@ -419,8 +412,6 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
     double z = height_at(r, at[Z], raw);
     code = aspi_points_add(points, (aspi_point){position[0], position[1], z, r->table->text.line},
                            error);
-    if (!code)
-      code = next_row(r, &found, error);
   }
   if (!code && r->due == 1)
     drop_count(points, r, raw);
@@ -469,15 +460,7 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   asp_code code = raw->is_map ? choose_map(r, error) : choose_profile(r, error);
   r->due = r->column[Z] < 0 ? t->count : r->due;
   r->column[VALID] = r->column[Z] < 0 ? -1 : first_of(r, marks, -1);
-  bool found, matrix = r->column[Z] < 0;
-  if (!code)
-    code = aspi_table_line(r->table, &found, error);
-  if (!code && !fits(r)) {
-    char shown[48];
-    show(t, shown, sizeof shown);
-    code = fail_line(r, t->text.line, shown, error);
-  }
-  code = code ? code : check_count(r, error);
+  bool matrix = r->column[Z] < 0;
   if (!code)
     code = matrix ? read_matrix(r, raw, error) : read_points(r, &points, raw, error);
   if (!code && !chosen)
