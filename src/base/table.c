@@ -334,6 +334,21 @@ int aspi_table_find(const aspi_table *t, const char *name) {
   return -1;
 }
 
+int aspi_table_asked(const aspi_table *t, const char *asked, int most) {
+  char *end;
+  long number = strtol(asked, &end, 10);
+  if (!*end)
+    return number >= 1 && number <= most ? (int)number - 1 : -1;
+  for (int i = 0; i < t->columns; i++) {
+    const char *name = t->column[i].name;
+    size_t length = strcspn(name, "([{/_ ");
+    if (strcasecmp(name, asked) == 0 ||
+        (strlen(asked) == length && strncasecmp(name, asked, length) == 0))
+      return i;
+  }
+  return -1;
+}
+
 int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
   int index = aspi_table_find(t, name);
   if (index >= 0)

@@ -62,6 +62,10 @@ asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
 int aspi_table_find(const aspi_table *table, const char *name);
 int aspi_table_need(const aspi_table *table, const char *name, asp_error *error);
 
+/* The same by a number from 1 to `most`, or by a name as the file has it, or that without its unit.
+ */
+int aspi_table_asked(const aspi_table *table, const char *asked, int most);
+
 /* Kind and number of a field of the line. */
 aspi_word aspi_table_field(const aspi_table *table, int column, double *value);
 

@@ -169,18 +169,13 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
 }
 
 void cli_scatter_choose(cli_scatter *t, const cli_option *choice) {
-  char *list = cli_copy(choice->value), *item, *end;
+  char *list = cli_copy(choice->value), *item;
   while ((item = aspi_text_field(&list, ',')) != NULL) {
     char *name = aspi_text_field(&item, '=');
     const char *rest;
-    int c = name ? column_of(name, &rest) : -1, place = -1;
-    if (item)
-      place = (int)strtol(item, &end, 10) - 1;
-    if (item && *end)
-      for (place = t->table->columns - 1; place >= 0; place--)
-        if (strcmp(t->table->column[place].name, item) == 0)
-          break;
-    if (c < 0 || *rest || place < 0 || place >= t->table->columns)
+    int c = name ? column_of(name, &rest) : -1;
+    int place = item ? aspi_table_asked(t->table, item, t->table->columns) : -1;
+    if (c < 0 || *rest || place < 0)
       cli_bad_usage(
           "--%s is '%s'; it must be names of columns, each with a number from 1 to %d or a "
           "name of %s: alpha1=2,v1=3",

@@ -131,28 +131,14 @@ static int first_of(const reader *r, const char *list, int other) {
 
 /* ---- columns ---- */
 
-/* A column that is asked for by its number from 1 or its name, without its unit: from 0, -1 where
- * none is. */
 static asp_code find_asked(const reader *r, const char *asked, int *found, asp_error *error) {
-  const aspi_table *t = r->table;
-  char *end;
-  if (!asked)
+  *found = asked ? aspi_table_asked(r->table, asked, r->due) : -1;
+  if (!asked || *found >= 0)
     return ASP_OK;
-  *found = (int)strtol(asked, &end, 10) - 1;
-  if (!*end && *found >= 0 && *found < r->due)
-    return ASP_OK;
-  if (!*end)
-    return aspi_table_fail(t, error, "column %s is asked for; the file has %d columns", asked,
-                           r->due);
-  for (*found = 0; *found < t->columns; ++*found) {
-    const char *name = t->column[*found].name;
-    size_t length = strcspn(name, "([{/_ ");
-    if (strcasecmp(name, asked) == 0 ||
-        (strlen(asked) == length && strncasecmp(name, asked, length) == 0))
-      return ASP_OK;
-  }
-  return aspi_table_fail(
-      t, error, "column '%.40s' is asked for; none of the %d columns has that name", asked, r->due);
+  return aspi_table_fail(r->table, error,
+                         "column '%.40s' is asked for; none of the %d columns has that name or "
+                         "number",
+                         asked, r->due);
 }
 
 /* The columns that neither the user nor names state. Of two columns the first is that of positions

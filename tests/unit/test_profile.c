@@ -345,7 +345,7 @@ static void columns_far_to_the_right(void **state) {
   o.column = "81";
   expect(text, &o, 4, 1e-6, 4e-6);
   o.column = "101";
-  expect_error(text, &o, ASP_EDATA, "column 101 is asked for; the file has 100 columns");
+  expect_error(text, &o, ASP_EDATA, "column '101' is asked for; none of the 100 columns has that");
 }
 
 /* Columns by their header: counters and times are no positions, whatever their place. */
@@ -396,7 +396,7 @@ static void columns_are_chosen_by_their_header(void **state) {
                "none of the 3 columns has that name");
   o.x_column = "4";
   expect_error("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, ASP_EDATA,
-               "the file has 3 columns");
+               "none of the 3 columns has that");
 }
 
 /* What instruments and spreadsheets write, and what their numbers may look like. */
