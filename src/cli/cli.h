@@ -1,5 +1,5 @@
 /* Shared by the subcommands of `asperity`: options with help from one table, numbers with units,
- * CSV output that is written whole or not at all, a progress bar, and pictures by gnuplot.
+ * CSV output that is written whole or not at all, progress, and pictures by gnuplot.
  *
  * Everything here exits on bad input: status 2 for bad usage, 1 for a failure, with one line on
  * stderr that names the option, its value and what it must be.
@@ -146,7 +146,7 @@ void cli_print_comment(FILE *out, const char *text);
 /* A text in quotes, with quotes inside it doubled. */
 void cli_print_quoted(FILE *out, const char *text);
 
-/* A bar on stderr when that is a terminal and the work takes over a second; done counts up to
+/* Percents on stderr when that is a terminal and the work takes over a second; done counts up to
  * total. */
 typedef struct cli_progress {
   const char *what;

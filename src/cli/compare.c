@@ -105,10 +105,6 @@ static void warn_unknown(const aspi_comparison *c) {
 
 /* ---- the command ---- */
 
-static void make_bins(aspi_comparison *c, double width, bool given) {
-  cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
-}
-
 static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool given) {
   static const char *const of_data[] = {"near", "columns", "from"};
   for (int i = 0; i < 3; i++)
@@ -118,7 +114,7 @@ static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool
   c->impacts = cli_scatter_read_impacts(c->names[0], NULL, &apart);
   c->data = c->impacts;
   c->data.has_outcome = true;
-  make_bins(c, width, given);
+  cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
   cli_must(!aspi_compare_fill(c, NULL, &cli_error));
 }
 
@@ -132,7 +128,7 @@ static void compare_with(aspi_comparison *c, cli_call *call, double width, bool 
   cli_must(!aspi_compare_apart(&c->data, &reach, &apart, &cli_error));
   c->impacts = cli_scatter_read_impacts(c->names[0], &c->data, &apart);
   warn_unknown(c);
-  make_bins(c, width, given);
+  cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
   cli_must(!aspi_compare_fill(c, &reach, &cli_error));
   aspi_compare_apart_free(&apart);
   check_bins(c);

@@ -1,4 +1,4 @@
-/* Lines on stderr, exits with a message, memory or an exit, and the progress bar; see cli.h.
+/* Lines on stderr, exits with a message, memory or an exit, and progress; see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/grow.h"
@@ -91,15 +91,11 @@ void cli_progress_show(void *of, double done) {
   double now = seconds();
   if (now - progress->begun < 1 || now - progress->shown < 0.1)
     return;
-  enum { WIDTH = 40 };
-  int filled = (int)(WIDTH * fmin(1, done / progress->total));
-  fprintf(stderr, "\r%s [%.*s%*s] %3.0f %%", progress->what, filled,
-          "########################################", WIDTH - filled, "",
-          100 * fmin(1, done / progress->total));
+  fprintf(stderr, "\r%s %3.0f %%", progress->what, 100 * fmin(1, done / progress->total));
   progress->shown = now;
 }
 
 void cli_progress_end(cli_progress *progress) {
   if (isfinite(progress->shown) && progress->shown > progress->begun)
-    fprintf(stderr, "\r%*s\r", (int)strlen(progress->what) + 50, "");
+    fprintf(stderr, "\r%*s\r", (int)strlen(progress->what) + 6, "");
 }

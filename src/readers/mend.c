@@ -30,10 +30,6 @@ enum { REACH = 3, REACH_MAP = 2 };
 _Static_assert((ASP_FORM_MAX + 1) * (ASP_FORM_MAX + 2) / 2 <= ASP_TERMS_MOST,
                "the largest form has more terms than a fit");
 
-static const char *name_of(const aspi_raw *raw) {
-  return aspi_kind_of_rows(raw->rows);
-}
-
 /* ---- form ---- */
 
 /* The Legendre polynomials at index i of n points, between -1 and 1. */
@@ -76,7 +72,7 @@ static asp_code take_out_form(aspi_raw *raw, int degree, asp_error *error) {
   pass(raw, degree, &fit, false);
   if (!aspi_least_squares_solve(&fit))
     return aspi_file_fail(raw->path, 0, error, "no polynomial of degree %d fits the %s", degree,
-                          name_of(raw));
+                          aspi_kind_of_rows(raw->rows));
   pass(raw, degree, &fit, true);
   return ASP_OK;
 }
@@ -246,7 +242,8 @@ static asp_code fill_gaps(aspi_raw *raw, aspi_profile_report *report, asp_error 
   free(f.sum);
   free(f.weight);
   return made ? ASP_OK
-              : aspi_fail(error, ASP_ENOMEM, "out of memory for the gaps of a %s", name_of(raw));
+              : aspi_fail(error, ASP_ENOMEM, "out of memory for the gaps of a %s",
+                          aspi_kind_of_rows(raw->rows));
 }
 
 /* ---- all of it ---- */
@@ -271,7 +268,8 @@ static asp_code check_lengths(const aspi_raw *raw, asp_error *error) {
   return aspi_file_fail(raw->path, 0, error,
                         "a %s of %zu x %zu points; its sides must have at least %d, and all "
                         "together at most %zu",
-                        name_of(raw), raw->columns, raw->rows, ASP_SIDE_LEAST, ASP_POINTS_MOST);
+                        aspi_kind_of_rows(raw->rows), raw->columns, raw->rows, ASP_SIDE_LEAST,
+                        ASP_POINTS_MOST);
 }
 
 /* Takes the form out, and again where spikes were in it. */
@@ -312,6 +310,6 @@ asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_prof
   aspi_raw_range(raw, &least, &most);
   if (raw->points >= ASP_SIDE_LEAST && most - least > rounding)
     return ASP_OK;
-  return aspi_file_fail(raw->path, 0, error, "the %s is constant%s", name_of(raw),
+  return aspi_file_fail(raw->path, 0, error, "the %s is constant%s", aspi_kind_of_rows(raw->rows),
                         options->form > 0 ? " but for its form" : "");
 }
