@@ -109,9 +109,6 @@ typedef struct asp_question {
  * impact. */
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size);
 
-/* What a script can do about a message that names options of the reader: "" where it names none. */
-const char *asp_reader_advice(const char *message);
-
 /* The speed below which a normal impact of the particle sticks to the mean wall: 0 where the law
  * needs no pair, where nothing is held, or below 0.001 m/s; INFINITY where every impact up to 10
  * km/s sticks. `particle` has the density, the pair, and the diameter. 0 in units without a known

@@ -58,8 +58,7 @@ static asp_code course_create(course *made, const aspi_judge_case *subject, size
   asp_code code =
       over ? aspi_field_create(&made->field, over, subject->profile ? subject->d_p : 0, NULL, error)
            : error->code;
-  if (!code &&
-      !(made->wall = aspi_judge_wall_over(subject, over, made->d_p, "traced", true, error)))
+  if (!code && !(made->wall = aspi_judge_wall_over(subject, over, made->d_p, "traced", error)))
     code = error->code;
   asp_heights_free(path);
   return code;

@@ -54,12 +54,11 @@ aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const
 /* ---- one model ---- */
 
 /* The wall of the case with that model and specular rebounds; NULL on error. */
-asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, bool multiple,
-                          asp_error *error);
+asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, asp_error *error);
 
 /* A wall of some heights (NULL: none) in place of those of the case. */
 asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_heights *profile,
-                               double d_p, const char *name, bool multiple, asp_error *error);
+                               double d_p, const char *name, asp_error *error);
 
 /* n rebounds at an impact angle (degrees), by all threads. */
 aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, double degrees, size_t n,

@@ -14,7 +14,7 @@
 #define LEAST_SHARE 1e-6
 
 asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_heights *profile,
-                               double d_p, const char *name, bool multiple, asp_error *error) {
+                               double d_p, const char *name, asp_error *error) {
   aspi_wall_choice choice = aspi_wall_choice_smooth();
   asp_surface *surface = subject->profile
                              ? asp_surface_create_profile(subject->profile, d_p, d_p, 1, error)
@@ -24,16 +24,15 @@ asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_heights
   choice.heights = profile;
   choice.spread = asp_spread_find(name, NULL);
   choice.sizes = (aspi_sizes){d_p, d_p, 1};
-  choice.multiple = multiple;
+  choice.multiple = true;
   choice.deposit = false;
   asp_wall *wall = surface ? aspi_wall_create(&choice, error) : NULL;
   asp_surface_free(surface);
   return wall;
 }
 
-asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, bool multiple,
-                          asp_error *error) {
-  return aspi_judge_wall_over(subject, subject->profile, subject->d_p, name, multiple, error);
+asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, asp_error *error) {
+  return aspi_judge_wall_over(subject, subject->profile, subject->d_p, name, error);
 }
 
 static const double up[3] = {0, 0, 1};

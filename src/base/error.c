@@ -31,6 +31,16 @@ asp_code aspi_fail(asp_error *error, asp_code code, const char *format, ...) {
   return code;
 }
 
+asp_code aspi_file_fail(const char *path, size_t line, asp_error *error, const char *format, ...) {
+  char message[320];
+  va_list args;
+  va_start(args, format);
+  aspi_print_list(message, sizeof message, format, args);
+  va_end(args);
+  return line > 0 ? aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", path, line, message)
+                  : aspi_fail(error, ASP_EDATA, "%.200s: %s", path, message);
+}
+
 void aspi_append(char *text, size_t size, const char *format, ...) {
   size_t used = strlen(text);
   va_list args;

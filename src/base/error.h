@@ -13,6 +13,13 @@ __attribute__((format(printf, 3, 4)))
 asp_code
 aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 
+/* ASP_EDATA and "<path>:<line>: <message>"; line 0: there are none. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+asp_code
+aspi_file_fail(const char *path, size_t line, asp_error *error, const char *format, ...);
+
 /* ASP_OK when value is finite and least <= value <= most; otherwise ASP_EARG, and a message that
  * calls it `name` and its unit `unit` ("" for none). */
 asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/table.h"
 #include "base/error.h"
+#include "base/grow.h"
 #include "base/units.h"
 
 #include <ctype.h>
@@ -22,51 +23,22 @@ static asp_code fail_memory(const aspi_table *t, asp_error *error) {
                    t->text.line);
 }
 
-/* Adds a field, without blanks around it. */
-static asp_code add_field(aspi_table *t, char *first, char *end, asp_error *error) {
-  if (t->all == t->room) {
-    int room = t->room ? 2 * t->room : 64;
-    char **grown = realloc(t->fields, (size_t)room * sizeof *grown);
-    if (!grown)
-      return fail_memory(t, error);
-    t->fields = grown;
-    t->room = room;
-  }
-  while (end > first && isspace((unsigned char)end[-1]))
-    end--;
-  *end = '\0';
-  t->fields[t->all++] = first;
-  t->count = *first ? t->all : t->count;
-  return ASP_OK;
-}
-
 /* Cuts the line at hand. */
 static asp_code cut(aspi_table *t, asp_error *error) {
-  char *c = t->text.text, *end = c + t->text.length, *first;
-  const char separator = t->separator;
-  asp_code code = ASP_OK;
+  char *rest = t->text.text, *field;
   t->count = t->all = 0;
-  if (memchr(c, '"', t->text.length)) {
-    while (!code && (first = aspi_text_field(&c, separator)) != NULL)
-      code = add_field(t, first, first + strlen(first), error);
-    return code;
+  while ((field = aspi_text_field(&rest, t->separator)) != NULL) {
+    if (t->all == t->room) {
+      char **grown = aspi_grow(t->fields, (size_t)t->all, sizeof *grown);
+      if (!grown)
+        return fail_memory(t, error);
+      t->fields = grown;
+      t->room = t->all ? 2 * t->all : 1;
+    }
+    t->fields[t->all++] = field;
+    t->count = *field ? t->all : t->count;
   }
-  for (bool more = true; more && !code; c++) {
-    while (c < end && (*c == ' ' || (*c != separator && isspace((unsigned char)*c))))
-      c++;
-    if (c == end && separator == ' ')
-      break;
-    first = c;
-    if (separator == ' ')
-      while (c < end && !isspace((unsigned char)*c))
-        c++;
-    else
-      while (c < end && *c != separator)
-        c++;
-    more = c < end;
-    code = add_field(t, first, c, error);
-  }
-  return code;
+  return ASP_OK;
 }
 
 /* Takes a tag off the front of a line in the header that it does not close, and those behind. */
@@ -144,53 +116,26 @@ static asp_code find_start(aspi_table *t, int least, asp_error *error) {
   return code ? code : aspi_text_rewind(&t->text, error);
 }
 
-static asp_code add_header(aspi_table *t, asp_error *error) {
-  size_t need = t->header_length + t->text.length + 2;
-  if (need > HEADER_MOST)
-    return ASP_OK;
-  if (need > t->header_room) {
-    char *grown = realloc(t->header, 2 * need);
-    if (!grown)
-      return fail_memory(t, error);
-    t->header = grown;
-    t->header_room = 2 * need;
-  }
-  memcpy(t->header + t->header_length, t->text.text, t->text.length);
-  memcpy(t->header + t->header_length + t->text.length, "\n", 2);
-  t->header_length = need - 1;
-  return ASP_OK;
-}
-
-/* `sep=;`, as spreadsheets understand it. */
-static asp_code take_separator(aspi_table *t, asp_error *error) {
-  bool found;
-  asp_code code = aspi_text_line(&t->text, &found, error);
-  if (!code && found && strncasecmp(t->text.text, "sep=", 4) == 0 && t->text.text[4]) {
-    t->separator = t->text.text[4];
-    t->forced = true;
-    t->width = 0;
-  }
-  return code ? code : aspi_text_rewind(&t->text, error);
-}
-
+/* Keeps the lines above the first row, up to HEADER_MOST and the line that passes it. */
 static asp_code read_header(aspi_table *t, asp_error *error) {
   bool found = true;
-  t->header_is_comment = true;
+  size_t length = 0;
   asp_code code = ASP_OK;
+  FILE *header = open_memstream(&t->header, &length);
+  if (!header)
+    return fail_memory(t, error);
   while (!(code = aspi_text_line(&t->text, &found, error)) && found &&
          (t->start == 0 || t->text.line < t->start)) {
-    bool comment = t->text.text[strspn(t->text.text, " \t")] == '#';
-    t->header_is_comment = t->header_is_comment && (comment || aspi_text_blank(t->text.text));
-    if (comment && !t->comment && !(t->comment = strdup(strchr(t->text.text, '#'))))
-      return fail_memory(t, error);
-    if (!aspi_text_blank(t->text.text) && !(t->forced && t->text.line == 1) &&
-        (code = add_header(t, error)))
-      break;
+    bool names_separator = t->text.line == 1 && strncasecmp(t->text.text, "sep=", 4) == 0;
+    if (!aspi_text_blank(t->text.text) && !names_separator && ftell(header) < HEADER_MOST)
+      fprintf(header, "%s\n", t->text.text);
   }
+  bool bad = ferror(header);
+  bad = fclose(header) != 0 || bad || !t->header;
+  if (bad && !code)
+    code = fail_memory(t, error);
   if (!code && t->start > 0 && t->tagged)
     take_off_tags(t);
-  if (!code && !t->comment && !(t->comment = calloc(1, 1)))
-    code = fail_memory(t, error);
   return code;
 }
 
@@ -241,79 +186,87 @@ static bool is_unit_line(const char *line, size_t length) {
   return all;
 }
 
-/* Cuts a line of the header, in place, as names: where blanks separate them,
- * a unit in brackets belongs to the name before it. The number of names. */
-static asp_code cut_names(aspi_table *t, char *line, asp_error *error) {
-  while (*line && *line != t->separator && strchr("#%; \t", *line))
+/* The last line of the header above `end`, which becomes its place: without comments where there
+ * are other lines, unless they are units; NULL if there is none. */
+static const char *line_above(const aspi_table *t, const char **end) {
+  bool others = *t->header && *t->header != '#';
+  for (const char *c = t->header; (c = strchr(c, '\n')) != NULL; c++)
+    others = others || (c[1] && c[1] != '#');
+  while (*end > t->header) {
+    const char *line = --*end;
+    while (line > t->header && line[-1] != '\n')
+      line--;
+    size_t length = (size_t)(*end - line);
+    *end = line;
+    if (*line != '#' || !others || is_unit_line(line, length))
+      return line;
+  }
+  return NULL;
+}
+
+/* Cuts a line of the header as names; where blanks separate them, a unit in brackets belongs to the
+ * name before it. The number of names without empty ones behind, and with them; -1: no memory. */
+static int cut_names(aspi_table *t, const char *line, int *all, aspi_column **list) {
+  while (*line != t->separator && strchr("#%; \t", *line) && *line)
     line++;
-  t->text.text = line;
-  t->text.length = strlen(line);
-  asp_code code = cut(t, error);
-  int kept = 0;
-  for (int i = 0; i < t->count && !code; i++) {
-    if (t->separator == ' ' && kept > 0 && strchr("([{", *t->fields[i]))
-      t->fields[kept - 1][strlen(t->fields[kept - 1])] = ' ';
-    else
-      t->fields[kept++] = t->fields[i];
-  }
-  t->count = kept;
-  return code;
-}
-
-/* Copies the last line of the header above `end`, without those that are comments where there are
- * others, unless they are units; NULL if there is none. *end becomes its place. */
-static asp_code copy_above(const aspi_table *t, size_t *end, char **copy, asp_error *error) {
-  while (*end > 0) {
-    size_t from = *end - 1, length = 0;
-    while (from > 0 && t->header[from - 1] != '\n')
-      from--;
-    length = *end - 1 - from;
-    const char *line = t->header + from;
-    *end = from;
-    if (*line != '#' || t->header_is_comment || is_unit_line(line, length))
-      return (*copy = strndup(line, length)) ? ASP_OK : fail_memory(t, error);
-  }
-  return ASP_OK;
-}
-
-/* Names from the lines of the header above the first row, of which the fields are counted. */
-static asp_code take_names(aspi_table *t, int least, asp_error *error) {
-  const int due = t->count, all = t->all;
-  size_t above = t->header_length;
-  asp_code code = ASP_OK;
-  for (int k = 0; k < 2 && !code; k++) {
-    if ((code = copy_above(t, &above, &t->line[k], error)) == ASP_OK && t->line[k])
-      code = cut_names(t, t->line[k], error);
-    int count = t->line[k] ? (t->count < due && t->all >= due ? due : t->count) : 0;
-    bool fits =
-        k ? count == t->columns : least == 0 || count >= due || (count > 1 && t->separator != ' ');
-    if (code || count < 1 || !fits || (least > 0 && count > all))
-      break;
-    bool units = k == 0;
-    aspi_column *c = t->column = k ? t->column : calloc((size_t)count, sizeof *c);
-    if (!c)
-      return fail_memory(t, error);
-    t->columns = count;
-    for (int i = 0; i < count; i++, c++) {
-      char whole[2 * ASP_PLAIN_MOST];
-      snprintf(whole, sizeof whole, "%.70s %.70s", t->fields[i], k ? c->name : "");
-      aspi_plain(whole, c->plain, sizeof c->plain);
-      c->bracketed = strpbrk(whole, "[(");
-      c->name = t->fields[i];
-      units = units && is_unit(c->name, strlen(c->name));
+  char *copy = strndup(line, strcspn(line, "\n")), *rest = copy, *field;
+  int count = 0, kept = 0;
+  while ((field = aspi_text_field(&rest, t->separator)) != NULL) {
+    char *before = kept > 0 ? (*list)[kept - 1].name : NULL;
+    if (t->separator == ' ' && before && strchr("([{", *field)) {
+      aspi_append(before, ASP_PLAIN_MOST, " %s", field);
+      continue;
     }
+    aspi_column *grown = aspi_grow(*list, (size_t)kept, sizeof *grown);
+    if (!grown)
+      break;
+    *list = grown;
+    snprintf(grown[kept++].name, ASP_PLAIN_MOST, "%s", field);
+    count = *field ? kept : count;
+  }
+  free(copy);
+  *all = kept;
+  return field || !copy ? -1 : count;
+}
+
+/* Names from the last line above the first row, of which the fields are counted, or the last two,
+ * of which the second has their units. */
+static asp_code take_names(aspi_table *t, int least, asp_error *error) {
+  const char *end = t->header + strlen(t->header), *line;
+  for (int k = 0; k < 2 && (line = line_above(t, &end)) != NULL; k++) {
+    aspi_column *list = NULL;
+    int all, count = cut_names(t, line, &all, &list);
+    if (count < 0) {
+      free(list);
+      return fail_memory(t, error);
+    }
+    count = count < t->count && all >= t->count ? t->count : count;
+    bool fits = k ? count == t->columns
+                  : least == 0 || count >= t->count || (count > 1 && t->separator != ' ');
+    if (count < 1 || !fits || (least > 0 && count > t->all)) {
+      free(list);
+      break;
+    }
+    bool units = k == 0;
+    for (int i = 0; i < count; i++) {
+      char whole[2 * ASP_PLAIN_MOST];
+      snprintf(whole, sizeof whole, "%.70s %.70s", list[i].name, k ? t->column[i].name : "");
+      aspi_plain(whole, list[i].plain, sizeof list[i].plain);
+      list[i].bracketed = strpbrk(whole, "[(");
+      units = units && is_unit(list[i].name, strlen(list[i].name));
+    }
+    free(t->column);
+    t->column = list;
+    t->columns = count;
     if (!units)
       break;
   }
-  if (!code && t->columns == 0 && least == 0 && due > 0) {
-    t->nameless = true;
-    t->columns = due;
-    if (!(t->column = calloc((size_t)due, sizeof *t->column)))
-      return fail_memory(t, error);
-    for (int i = 0; i < due; i++)
-      t->column[i].name = "";
-  }
-  return code;
+  t->nameless = t->columns == 0 && least == 0 && t->count > 0;
+  if (!t->nameless)
+    return ASP_OK;
+  t->columns = t->count;
+  t->column = calloc((size_t)t->columns, sizeof *t->column);
+  return t->column ? ASP_OK : fail_memory(t, error);
 }
 
 static asp_code open_text(aspi_table *t, int least, asp_error *error) {
@@ -321,24 +274,13 @@ static asp_code open_text(aspi_table *t, int least, asp_error *error) {
   if (code || (code = aspi_table_survey(t, error)))
     return code;
   least = least > 0 && t->width == 1 ? 1 : least;
-  if ((code = take_separator(t, error)) || (code = find_start(t, least, error)) ||
-      (code = read_header(t, error)))
+  if ((code = find_start(t, least, error)) || (code = read_header(t, error)))
     return code;
-  if (t->start == 0 && t->header_length == 0 && least == 0)
-    return aspi_text_fail(&t->text, 1, error, "the file ends without column names");
-  /* The fields of the first row are counted in a copy. */
-  char *row = t->text.text, *copy = strndup(row, t->text.length);
-  size_t length = t->text.length;
-  if (!copy)
-    return fail_memory(t, error);
-  t->text.text = copy;
-  code = cut(t, error);
-  code = code ? code : take_names(t, least, error);
-  free(copy);
-  t->text.text = row;
-  t->text.length = length;
+  if (t->start == 0 && !*t->header && least == 0)
+    return aspi_file_fail(t->text.path, 1, error, "the file ends without column names");
   t->has_row = t->start > 0;
-  return code || !t->has_row ? code : cut(t, error);
+  code = cut(t, error);
+  return code ? code : take_names(t, least, error);
 }
 
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error) {
@@ -365,11 +307,8 @@ void aspi_table_close(aspi_table *t) {
   if (t->owns_stream)
     fclose(t->text.stream);
   aspi_text_close(&t->text);
-  free(t->line[0]);
-  free(t->line[1]);
   free(t->column);
   free(t->header);
-  free(t->comment);
   free(t->fields);
   free(t);
 }
@@ -392,6 +331,21 @@ int aspi_table_find(const aspi_table *t, const char *name) {
   for (int i = 0; i < t->columns; i++)
     if (strcmp(t->column[i].plain, name) == 0)
       return i;
+  return -1;
+}
+
+int aspi_table_asked(const aspi_table *t, const char *asked, int most) {
+  char *end;
+  long number = strtol(asked, &end, 10);
+  if (!*end)
+    return number >= 1 && number <= most ? (int)number - 1 : -1;
+  for (int i = 0; i < t->columns; i++) {
+    const char *name = t->column[i].name;
+    size_t length = strcspn(name, "([{/_ ");
+    if (strcasecmp(name, asked) == 0 ||
+        (strlen(asked) == length && strncasecmp(name, asked, length) == 0))
+      return i;
+  }
   return -1;
 }
 

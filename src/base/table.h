@@ -15,7 +15,7 @@
 enum { ASP_PLAIN_MOST = 80 };
 
 typedef struct aspi_column {
-  const char *name; /* as the file has it */
+  char name[ASP_PLAIN_MOST]; /* as the file has it */
   /* The name with its unit in small letters, signs and Greek letters written out, all others as
    * single underscores: `α_1 [°]` is alpha_1_deg. */
   char plain[ASP_PLAIN_MOST];
@@ -26,20 +26,16 @@ typedef struct aspi_table {
   aspi_text text;
   bool owns_stream;
   char separator;
-  bool forced, thousands; /* the separator by `sep=`; commas stand between groups of digits */
-  int width;              /* fields of most rows, 0 if they differ */
-  int count, all;         /* fields of the line at hand, without empty ones behind and with them */
+  bool thousands; /* commas stand between groups of digits */
+  int width;      /* fields of most rows, 0 if they differ */
+  int count, all; /* fields of the line at hand, without empty ones behind and with them */
   char **fields;
   int room;
-  size_t start, rows; /* the line of the first row; of those that were taken, for the caller */
-  char *comment;      /* the first one, however long, or NULL */
-  char *header;       /* its lines, each with LF */
-  size_t header_length, header_room;
-  bool tagged;                     /* the first line begins with a tag, as in XML */
-  bool nameless;                   /* there are no names; they are "" */
-  bool header_is_comment, has_row; /* all of it; the row at hand is not taken yet */
-  char *line[2];                   /* copies of the lines that the names are in */
-  int columns;                     /* names */
+  size_t start, rows;     /* the line of the first row; of those that were taken, for the caller */
+  char *header;           /* its lines, each with LF */
+  bool tagged;            /* the first line begins with a tag, as in XML */
+  bool nameless, has_row; /* there are no names, they are ""; the row at hand is not taken yet */
+  int columns;            /* names */
   aspi_column *column;
 } aspi_table;
 
@@ -60,11 +56,15 @@ asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
 
 /* ASP_EDATA and a message on the line at hand. */
 #define aspi_table_fail(table, error, ...)                                                         \
-  aspi_text_fail(&(table)->text, (table)->text.line, error, __VA_ARGS__)
+  aspi_file_fail((table)->text.path, (table)->text.line, error, __VA_ARGS__)
 
 /* Index of a column by its plain name, or -1; with a message that lists the columns there are. */
 int aspi_table_find(const aspi_table *table, const char *name);
 int aspi_table_need(const aspi_table *table, const char *name, asp_error *error);
+
+/* The same by a number from 1 to `most`, or by a name as the file has it, or that without its unit.
+ */
+int aspi_table_asked(const aspi_table *table, const char *asked, int most);
 
 /* Kind and number of a field of the line. */
 aspi_word aspi_table_field(const aspi_table *table, int column, double *value);

@@ -6,6 +6,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include <strings.h>
 
 static const char separators[] = ";\t, ";
 enum { SEMICOLON, TAB, COMMA, BLANK, SEPARATORS };
@@ -124,15 +125,22 @@ static void choose(aspi_table *t, const tally *of) {
 
 asp_code aspi_table_survey(aspi_table *t, asp_error *error) {
   tally numbers = {.lines = 0}, others = {.lines = 0};
+  char forced = '\0'; /* `sep=;`, as spreadsheets understand it */
   bool found = true;
   asp_code code = ASP_OK;
   while (!(code = aspi_text_line(&t->text, &found, error)) && found) {
     const char *c = t->text.text, *end = c + t->text.length;
     const char *first = c + strspn(c, " \t"), *tag = *first == '<' ? strchr(first, '>') : NULL;
     t->tagged = t->tagged || (tag && t->text.line == 1);
+    if (t->text.line == 1 && strncasecmp(c, "sep=", 4) == 0)
+      forced = c[4];
     if (*first != '#')
       look(&numbers, &others, tag ? tag + 1 : c, end);
   }
   choose(t, numbers.lines >= others.lines ? &numbers : &others);
+  if (forced) {
+    t->separator = forced;
+    t->width = 0;
+  }
   return code ? code : aspi_text_rewind(&t->text, error);
 }

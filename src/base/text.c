@@ -8,14 +8,13 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Characters of a number, of the buffer at first, and of a line. */
-enum { WORD_MOST = 64, ROOM_FIRST = 1 << 16, LINE_MOST = 1 << 26 };
+/* Characters of a number. */
+enum { WORD_MOST = 64 };
 
 static FILE *refuse(const char *path, int reason, asp_error *error) {
   aspi_fail(error, reason == ENOMEM ? ASP_ENOMEM : ASP_EFILE, "cannot open '%.200s': %s", path,
@@ -96,82 +95,44 @@ void aspi_text_close(aspi_text *text) {
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error) {
   if (fseek(text->stream, 0, SEEK_SET) != 0)
     return aspi_fail(error, ASP_EFILE, "%s: cannot be read twice: %s", text->path, strerror(errno));
-  text->line = text->from = text->to = 0;
-  text->rest = NULL;
+  text->line = 0;
+  text->next = text->rest = NULL;
   return ASP_OK;
 }
 
-asp_code aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format,
-                        ...) {
-  char message[320];
-  va_list args;
-  va_start(args, format);
-  aspi_print_list(message, sizeof message, format, args);
-  va_end(args);
-  return aspi_fail(error, ASP_EDATA, "%.200s:%zu: %s", text->path, line, message);
-}
-
-/* Reads more of the stream behind what is in the buffer; *more is false at its end. */
-static asp_code fill(aspi_text *t, bool *more, asp_error *error) {
-  t->to -= t->from;
-  if (t->from > 0)
-    memmove(t->buffer, t->buffer + t->from, t->to);
-  t->from = 0;
-  if (t->to == t->room) {
-    size_t room = t->room ? 2 * t->room : ROOM_FIRST;
-    if (room > LINE_MOST)
-      return aspi_text_fail(t, t->line, error, "a line of %zu characters or more", t->room);
-    char *grown = realloc(t->buffer, room + 1); /* and the end of the last line */
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->path, t->line);
-    t->buffer = grown;
-    t->room = room;
-  }
-  size_t got = fread(t->buffer + t->to, 1, t->room - t->to, t->stream);
-  t->to += got;
-  *more = got > 0;
+/* Reads up to the next LF, to be cut at CR, too. */
+static asp_code read_on(aspi_text *t, asp_error *error) {
+  errno = 0;
+  ssize_t size = getline(&t->buffer, &t->room, t->stream);
+  if (size < 0 && errno == ENOMEM)
+    return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->path, t->line);
   if (ferror(t->stream))
     return aspi_fail(error, ASP_EFILE, "%s: cannot be read: %s", t->path, strerror(errno));
+  size -= size > 0 && t->buffer[size - 1] == '\n';
+  t->next = size < 0 ? NULL : t->buffer;
+  t->end = t->buffer + size;
   return ASP_OK;
-}
-
-size_t aspi_text_bytes(aspi_text *t, void *to, size_t size) {
-  size_t have = t->to - t->from < size ? t->to - t->from : size;
-  if (have > 0)
-    memcpy(to, t->buffer + t->from, have);
-  t->from += have;
-  return have + fread((char *)to + have, 1, size - have, t->stream);
 }
 
 asp_code aspi_text_line(aspi_text *t, bool *found, asp_error *error) {
   static const char mark[] = "\xEF\xBB\xBF";
-  char *end = NULL;
-  bool more = true;
+  static char nothing[1];
   t->line++;
-  for (size_t seen = 0; !end && more;) {
-    size_t have = t->to - t->from;
-    if (have > seen && !(end = memchr(t->buffer + t->from + seen, '\n', have - seen)) && have > 1)
-      end = memchr(t->buffer + t->from + seen, '\r', have - seen - 1);
-    seen = have > 0 ? have - 1 : 0;
-    asp_code code = end ? ASP_OK : fill(t, &more, error);
-    if (code)
-      return code;
-  }
-  char *start = t->text = t->buffer + t->from;
-  *found = t->from < t->to;
-  end = end ? end : t->buffer + t->to;
-  char *other = end > start ? memchr(start, '\r', (size_t)(end - start)) : NULL;
-  end = other ? other : end;
-  t->from = (size_t)(end - t->buffer) + (end < t->buffer + t->to);
-  if (other && t->from < t->to && t->buffer[t->from] == '\n')
-    t->from++;
-  if (t->line == 1 && end - start >= 3 && memcmp(start, mark, 3) == 0)
-    t->text += 3;
-  t->length = (size_t)(end - t->text);
+  asp_code code = t->next ? ASP_OK : read_on(t, error);
+  *found = t->next;
+  t->text = t->rest = t->next ? t->next : nothing;
+  t->length = 0;
+  if (code || !*found)
+    return code;
+  char *end = memchr(t->text, '\r', (size_t)(t->end - t->text));
+  t->next = end && end + 1 < t->end ? end + 1 : NULL;
+  end = end ? end : t->end;
   *end = '\0';
-  t->rest = t->text;
+  if (t->line == 1 && strncmp(t->text, mark, 3) == 0)
+    t->rest = t->text += 3;
+  t->length = (size_t)(end - t->text);
   if (memchr(t->text, '\0', t->length))
-    return aspi_text_fail(t, t->line, error,
+    return aspi_file_fail(t->path, t->line, error,
                           "a NUL byte: not a text file, or one in UTF-16 without a byte order mark "
                           "(save it as plain text)");
   return ASP_OK;
@@ -186,16 +147,6 @@ asp_code aspi_text_word(aspi_text *t, char **word, asp_error *error) {
   }
   *word = found ? *word : NULL;
   return ASP_OK;
-}
-
-char *aspi_text_trim(char *text) {
-  while (isspace((unsigned char)*text))
-    text++;
-  size_t length = strlen(text);
-  while (length > 0 && isspace((unsigned char)text[length - 1]))
-    length--;
-  text[length] = '\0';
-  return text;
 }
 
 /* Strips one pair of quotes off a field and halves doubled quotes, in place. */
@@ -213,27 +164,25 @@ static char *unquote(char *field) {
   return field;
 }
 
-/* The end of the field that begins here: a separator outside quotes, or the end of the line. */
-static char *end_of(char *field, char separator) {
-  bool quoted = false;
-  for (; *field; field++) {
-    quoted ^= *field == '"';
-    if (!quoted && (separator == ' ' ? isspace((unsigned char)*field) : *field == separator))
-      break;
-  }
-  return field;
-}
-
 char *aspi_text_field(char **next, char separator) {
   char *field = *next;
-  if (field && separator == ' ')
-    field += strspn(field, " \t\v\f\r");
+  bool quoted = false, quotes = false;
+  while (field && isspace((unsigned char)*field) && (separator == ' ' || *field != separator))
+    field++;
   if (!field || (separator == ' ' && !*field))
     return NULL;
-  char *end = end_of(field, separator);
+  char *end = field;
+  for (; *end; end++) {
+    quoted ^= *end == '"';
+    quotes = quotes || quoted;
+    if (!quoted && (separator == ' ' ? isspace((unsigned char)*end) : *end == separator))
+      break;
+  }
   *next = *end ? end + 1 : NULL;
+  while (end > field && isspace((unsigned char)end[-1]))
+    end--;
   *end = '\0';
-  return unquote(aspi_text_trim(field));
+  return quotes ? unquote(field) : field;
 }
 
 bool aspi_text_blank(const char *line) {

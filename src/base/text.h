@@ -1,5 +1,4 @@
-/* A text file read as a stream: a line or a word at a time, in a buffer that grows with the longest
- * line. And the numbers in it.
+/* A text file read as a stream: a line or a word at a time. And the numbers in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_TEXT_H
@@ -21,9 +20,9 @@ typedef struct aspi_text {
   char *text;       /* the line at hand, without its end; in the buffer, for the caller to cut */
   size_t length;
   char *rest; /* of it, behind its words that were read */
-  /* What is read from the stream and not used yet is from `from` to `to`. */
-  char *buffer;
-  size_t room, from, to;
+  /* What is read from the stream, in which the next line is from `next` (NULL: none) to `end`. */
+  char *buffer, *next, *end;
+  size_t room;
 } aspi_text;
 
 /* A text at the beginning of a stream, to be closed (the stream stays open). */
@@ -33,11 +32,8 @@ void aspi_text_close(aspi_text *text);
 /* Back to the beginning; ASP_EFILE where the stream cannot. */
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 
-/* The next bytes; returns how many there were. */
-size_t aspi_text_bytes(aspi_text *text, void *to, size_t size);
-
 /* Reads the next line (its end is LF, CR LF or CR; the byte-order mark of UTF-8 is left out);
- * *found is false at the end of the file. ASP_EDATA for a NUL byte or a line over 64 MB. */
+ * *found is false at the end of the file. ASP_EDATA for a NUL byte. */
 asp_code aspi_text_line(aspi_text *text, bool *found, asp_error *error);
 
 /* The next word (between white space), NULL at the end of the file. */
@@ -46,20 +42,10 @@ asp_code aspi_text_word(aspi_text *text, char **word, asp_error *error);
 /* True if there is nothing but white space. */
 bool aspi_text_blank(const char *line);
 
-/* A text without the blanks at both ends; in place. */
-char *aspi_text_trim(char *text);
-
 /* Cuts the next field off a line, in place, without blanks and one pair of quotes around it; NULL
- * at the end. The separator ' ' is any white space. Quotes hold a field together, and a quote in
- * quotes is written twice. */
+ * at the end. The separator ' ' is any white space, '\\0' none. Quotes hold a field together, and a
+ * quote in quotes is written twice. */
 char *aspi_text_field(char **next, char separator);
-
-/* ASP_EDATA and "<path>:<line>: <message>". */
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
-asp_code
-aspi_text_fail(const aspi_text *text, size_t line, asp_error *error, const char *format, ...);
 
 /* Kind of a word: a number, a mark for a missing one (empty, nan, inf, bad, ---, ...), or other
  * text. */

@@ -12,9 +12,6 @@
 /* Of numbers in double precision after a few operations: they have 16 digits. */
 #define ASPI_ROUNDING_DOUBLE 1e-12
 
-/* Of heights of a map, which are in single precision: they have 7 digits. */
-#define ASPI_ROUNDING_SINGLE 1e-6
-
 /* a/b, where b is a part of `whole`: NAN where it is no more than rounding of it. */
 static inline double aspi_quotient(double a, double b, double whole) {
   return fabs(b) > ASPI_ROUNDING_DOUBLE * whole ? a / b : NAN;

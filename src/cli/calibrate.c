@@ -105,7 +105,6 @@ static void warn_left_out(const aspi_calibration *c, const char *path) {
 }
 
 static void read_data(const cli_call *call, aspi_calibration *c, const char *path) {
-  asp_error error;
   const cli_option *samples = cli_get(call, "samples");
   double width = cli_number(cli_get(call, "bin"), 0.1, 90);
   c->data = cli_scatter_read_data(call, path, NULL);
@@ -114,10 +113,10 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
                   "them",
                   path);
   c->samples = samples->value ? cli_whole(samples, 100, 100000000) : 0;
-  asp_code code = aspi_calibration_take_data(c, width, &error);
+  asp_code code = aspi_calibration_take_data(c, width, &cli_error);
   if (code == ASP_EARG)
-    cli_bad_usage("%s: %s", path, error.text);
-  cli_must(!code, &error);
+    cli_bad_usage("%s: %s", path, cli_error.text);
+  cli_must(!code);
   warn_left_out(c, path);
 }
 
@@ -126,10 +125,9 @@ static void read_data(const cli_call *call, aspi_calibration *c, const char *pat
 static aspi_fit find_unknowns(aspi_calibration *c) {
   cli_progress progress = cli_progress_begin("fit", 1);
   aspi_fit f;
-  asp_error error;
   c->progress = cli_progress_show;
   c->progress_context = &progress;
-  cli_must(!aspi_calibration_find(c, &f, &error), &error);
+  cli_must(!aspi_calibration_find(c, &f, &cli_error));
   cli_progress_end(&progress);
   return f;
 }

@@ -1,5 +1,5 @@
 /* Shared by the subcommands of `asperity`: options with help from one table, numbers with units,
- * CSV output that is written whole or not at all, a progress bar, and pictures by gnuplot.
+ * CSV output that is written whole or not at all, progress, and pictures by gnuplot.
  *
  * Everything here exits on bad input: status 2 for bad usage, 1 for a failure, with one line on
  * stderr that names the option, its value and what it must be.
@@ -74,9 +74,13 @@ char *cli_copy(const char *text);
 /* An array of so many things with room for one more, where every one was added by this. */
 void *cli_grow(void *array, size_t count, size_t size);
 
-/* Exits where something that a library call gave is not good, with its message: exit 2, 1 where
- * there is no memory for it. */
-void cli_must(bool good, const asp_error *error);
+/* For the library calls of a command: what the last one that failed says. */
+extern asp_error cli_error;
+
+/* Exits with that where a call was not good, or made nothing: exit 2, 1 where there is no memory
+ * for it. */
+void cli_must(bool good);
+void *cli_made(void *thing);
 
 /* A list of values, or a truncated log-normal law if count is 0. The values live as long as the
  * command. */
@@ -121,12 +125,6 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
-/* A file or folder that an exit, or a signal that ends the program, removes; NULL: there is none
- * any longer. cli_clean_up removes them now, in this order. */
-typedef enum cli_temporary { CLI_PARTIAL, CLI_TABLE, CLI_PICTURE, CLI_FOLDER } cli_temporary;
-void cli_remove_later(cli_temporary kind, const char *path);
-void cli_clean_up(void);
-
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
@@ -148,7 +146,7 @@ void cli_print_comment(FILE *out, const char *text);
 /* A text in quotes, with quotes inside it doubled. */
 void cli_print_quoted(FILE *out, const char *text);
 
-/* A bar on stderr when that is a terminal and the work takes over a second; done counts up to
+/* Percents on stderr when that is a terminal and the work takes over a second; done counts up to
  * total. */
 typedef struct cli_progress {
   const char *what;

@@ -105,13 +105,7 @@ static void warn_unknown(const aspi_comparison *c) {
 
 /* ---- the command ---- */
 
-static void make_bins(aspi_comparison *c, double width, bool given) {
-  asp_error error;
-  cli_must(!aspi_compare_make_bins(c, width, given, &error), &error);
-}
-
 static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool given) {
-  asp_error error;
   static const char *const of_data[] = {"near", "columns", "from"};
   for (int i = 0; i < 3; i++)
     if (cli_is_set(call, of_data[i]))
@@ -120,23 +114,22 @@ static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool
   c->impacts = cli_scatter_read_impacts(c->names[0], NULL, &apart);
   c->data = c->impacts;
   c->data.has_outcome = true;
-  make_bins(c, width, given);
-  cli_must(!aspi_compare_fill(c, NULL, &error), &error);
+  cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
+  cli_must(!aspi_compare_fill(c, NULL, &cli_error));
 }
 
 static void compare_with(aspi_comparison *c, cli_call *call, double width, bool given) {
   static const aspi_apart places = {.width = 0};
   aspi_apart apart;
-  asp_error error;
   double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
   cli_few(cli_get(call, "near"), 0, 90, 3, far);
   const aspi_compare_reach reach = {far[0], far[1], far[2]};
   c->data = cli_scatter_read_data(call, c->names[1], &places);
-  cli_must(!aspi_compare_apart(&c->data, &reach, &apart, &error), &error);
+  cli_must(!aspi_compare_apart(&c->data, &reach, &apart, &cli_error));
   c->impacts = cli_scatter_read_impacts(c->names[0], &c->data, &apart);
   warn_unknown(c);
-  make_bins(c, width, given);
-  cli_must(!aspi_compare_fill(c, &reach, &error), &error);
+  cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
+  cli_must(!aspi_compare_fill(c, &reach, &cli_error));
   aspi_compare_apart_free(&apart);
   check_bins(c);
   warn_no_score(c);

@@ -33,10 +33,9 @@ static void check_removal(const asp_description *d) {
 
 static void read_words(asp_description *d, int count, char **words) {
   const char *const *all = (const char *const *)words;
-  asp_error error;
   for (int next = 0, taken; next < count; next += taken)
-    cli_must(!asp_description_read(d, count - next, all + next, "", &taken, &error), &error);
-  cli_must(!asp_description_check(d, &error), &error);
+    cli_must(!asp_description_read(d, count - next, all + next, "", &taken, &cli_error));
+  cli_must(!asp_description_check(d, &cli_error));
 }
 
 char *cli_description_text(const asp_description *words) {
@@ -48,7 +47,6 @@ char *cli_description_text(const asp_description *words) {
 
 static void read_materials(cli_description *d) {
   static char *standard[] = {"materials", "ard", "hastelloy-x"};
-  asp_error error;
   int count = asp_description_materials(d->words);
   if (count == 0 && asp_rebound_needs_pair(asp_description_rebound(d->words))) {
     if (d->words->may_fit)
@@ -62,25 +60,21 @@ static void read_materials(cli_description *d) {
   d->density = asp_material_get(aspi_materials_find(NULL, standard[1], NULL), "density");
   if (count == 0)
     return;
-  cli_must(!asp_description_check_pair(d->words, &error), &error);
+  cli_must(!asp_description_check_pair(d->words, &cli_error));
   d->particle = asp_description_material(d->words, 0);
   d->target = asp_description_material(d->words, 1);
   d->density = asp_material_get(d->particle, "density");
-  d->pair = asp_description_pair(d->words, d->particle, d->target, &error);
-  cli_must(d->pair, &error);
+  d->pair = cli_made(asp_description_pair(d->words, d->particle, d->target, &cli_error));
 }
 
 cli_description cli_description_read(int count, char **words, bool may_fit) {
-  cli_description d = {.wall = NULL};
-  asp_error error;
-  d.words = asp_description_parse("", NULL, &error);
-  cli_must(d.words, &error);
+  cli_description d = {.words = cli_made(asp_description_parse("", NULL, &cli_error))};
   asp_description_expect_pairs(d.words); /* its own, or none as for samples of tilts */
   d.words->may_fit = may_fit;
   check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
-  cli_must(!asp_description_check_heat(d.words, false, &error), &error);
+  cli_must(!asp_description_check_heat(d.words, false, &cli_error));
   read_materials(&d);
   d.text = cli_description_text(d.words);
   return d;
@@ -109,12 +103,10 @@ void cli_description_doubt(const cli_description *d, double d_least, double d_mo
 }
 
 void cli_description_make(cli_description *d, double d_least, double d_most) {
-  asp_error error;
-  d->wall = asp_wall_create(d->words, d_least, d_most, &error);
-  cli_must(d->wall, &error);
+  d->wall = cli_made(asp_wall_create(d->words, d_least, d_most, &cli_error));
   const asp_surface *surface = asp_wall_surface(d->wall);
-  if (surface && asp_surface_check(surface, d_most, &error))
-    cli_bad_usage("--dp: %s", error.text);
+  if (surface && asp_surface_check(surface, d_most, &cli_error))
+    cli_bad_usage("--dp: %s", cli_error.text);
   cli_description_doubt(d, d_least, d_most);
 }
 

@@ -81,7 +81,8 @@ static void read_ledger(wear *w) {
                      w->law || i < 2 ? ""
                                      : "; a ledger has it with 'columns full', or state 'erosion "
                                        "LAW' behind it");
-  if (!w->law && *ledger.table->comment && !strstr(ledger.table->comment, " erosion "))
+  const char *header = ledger.table->header;
+  if (!w->law && *header == '#' && !strstr(header, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w->path);
   double of[SCATTER_COLUMNS];

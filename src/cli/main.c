@@ -18,9 +18,8 @@ static const char *name_at(int index) {
 }
 
 static const cli_command *find(const char *name) {
-  asp_error error;
-  int index = aspi_find_name("command", name, COMMANDS, name_at, &error);
-  cli_must(index >= 0, &error);
+  int index = aspi_find_name("command", name, COMMANDS, name_at, &cli_error);
+  cli_must(index >= 0);
   return commands[index];
 }
 

@@ -1,6 +1,7 @@
-/* Lines on stderr, exits with a message, memory or an exit, and the progress bar; see cli.h.
+/* Lines on stderr, exits with a message, memory or an exit, and progress; see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/grow.h"
 #include "cli/cli.h"
 
 #include <math.h>
@@ -11,29 +12,9 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Prints the options of `asperity surface` for those of the library's reader that a text names. */
-static void print_options(const char *text) {
-  static const char *const options[][2] = {{"x_column", "--read 'x_column 1 z_column 2'"},
-                                           {"step_x", "--read 'step 0.5um'"},
-                                           {"missing", "--read 'missing VALUE'"},
-                                           {"unit_", "--unit UNIT"},
-                                           {"spikes", "--spikes 12"},
-                                           {"fill", "--gaps fill"},
-                                           {"form", "--form 2"},
-                                           {"lambda_s", "--filter 'lambda_s LENGTH'"}};
-  const char *named = strstr(text, "reader: "), *before = ": asperity surface ";
-  for (size_t i = 0; named && i < sizeof options / sizeof *options; i++)
-    if (strstr(named, options[i][0])) {
-      fprintf(stderr, "%s%s", before, options[i][1]);
-      before = ", ";
-    }
-}
-
 static void say(const char *kind, const char *format, va_list args) {
-  char text[2000];
-  vsnprintf(text, sizeof text, format, args);
-  fprintf(stderr, "asperity: %s%s", kind, text);
-  print_options(text);
+  fprintf(stderr, "asperity: %s", kind);
+  vfprintf(stderr, format, args);
   fputc('\n', stderr);
 }
 
@@ -61,9 +42,7 @@ void *cli_allocate(size_t count, size_t size) {
 }
 
 void *cli_grow(void *array, size_t count, size_t size) {
-  if ((count & (count - 1)) != 0) /* full: 0, 1, 2, 4, 8, ... */
-    return array;
-  array = realloc(array, (count ? 2 * count : 1) * size);
+  array = aspi_grow(array, count, size);
   if (!array)
     cli_fail("out of memory for over %zu numbers or rows of %zu bytes", count, size);
   return array;
@@ -73,12 +52,19 @@ char *cli_copy(const char *text) {
   return strcpy(cli_allocate(strlen(text) + 1, 1), text);
 }
 
-void cli_must(bool good, const asp_error *error) {
+asp_error cli_error;
+
+void cli_must(bool good) {
   if (good)
     return;
-  if (error->code == ASP_ENOMEM)
-    cli_fail("%s", error->text);
-  cli_bad_usage("%s", error->text);
+  if (cli_error.code == ASP_ENOMEM)
+    cli_fail("%s", cli_error.text);
+  cli_bad_usage("%s", cli_error.text);
+}
+
+void *cli_made(void *thing) {
+  cli_must(thing);
+  return thing;
 }
 
 void cli_warn(const char *format, ...) {
@@ -105,15 +91,11 @@ void cli_progress_show(void *of, double done) {
   double now = seconds();
   if (now - progress->begun < 1 || now - progress->shown < 0.1)
     return;
-  enum { WIDTH = 40 };
-  int filled = (int)(WIDTH * fmin(1, done / progress->total));
-  fprintf(stderr, "\r%s [%.*s%*s] %3.0f %%", progress->what, filled,
-          "########################################", WIDTH - filled, "",
-          100 * fmin(1, done / progress->total));
+  fprintf(stderr, "\r%s %3.0f %%", progress->what, 100 * fmin(1, done / progress->total));
   progress->shown = now;
 }
 
 void cli_progress_end(cli_progress *progress) {
   if (isfinite(progress->shown) && progress->shown > progress->begun)
-    fprintf(stderr, "\r%*s\r", (int)strlen(progress->what) + 50, "");
+    fprintf(stderr, "\r%*s\r", (int)strlen(progress->what) + 6, "");
 }

@@ -18,32 +18,30 @@ enum { SUFFIX_MOST = 40 };
 /* The name of the file that is written; there is one at a time. */
 static const char *written;
 
-/* By cli_temporary. A partial file is NULL where the stream is written to directly. */
-static const char *volatile temporary[CLI_FOLDER + 1];
+/* What is written in its place until it is whole, which an exit or a signal that ends the program
+ * removes; NULL: there is none. */
+static char *volatile partial;
 
-void cli_clean_up(void) {
-  for (int i = 0; i <= CLI_FOLDER; i++) {
-    if (temporary[i] && unlink(temporary[i]) != 0)
-      rmdir(temporary[i]);
-    temporary[i] = NULL;
-  }
+static void remove_partial(void) {
+  if (partial)
+    unlink(partial);
+  partial = NULL;
 }
 
 static void end_by_signal(int number) {
-  cli_clean_up();
+  remove_partial();
   raise(number); /* the handler is gone */
 }
 
-void cli_remove_later(cli_temporary kind, const char *path) {
+static void remove_at_the_end(void) {
   static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
   static bool is_set_up;
-  temporary[kind] = path;
   for (size_t i = 0; i < sizeof signals / sizeof *signals && !is_set_up; i++) {
     struct sigaction now, clean = {.sa_handler = end_by_signal, .sa_flags = (int)SA_RESETHAND};
     if (sigaction(signals[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
       sigaction(signals[i], &clean, NULL);
   }
-  is_set_up = is_set_up || atexit(cli_clean_up) == 0;
+  is_set_up = is_set_up || atexit(remove_partial) == 0;
 }
 
 /* True if a file must not be replaced by another one: a device, a pipe, standard output. */
@@ -55,10 +53,11 @@ static bool stays(const struct stat *found) {
 
 static FILE *open_partial(const char *path) {
   size_t size = strlen(path) + SUFFIX_MOST;
-  char *partial = cli_allocate(size, 1);
-  snprintf(partial, size, "%s.%ld.partial", path, (long)getpid());
-  FILE *stream = fopen(partial, "wx");
-  cli_remove_later(CLI_PARTIAL, stream ? partial : NULL);
+  char *name = cli_allocate(size, 1);
+  snprintf(name, size, "%s.%ld.partial", path, (long)getpid());
+  FILE *stream = fopen(name, "wxe");
+  remove_at_the_end();
+  partial = stream ? name : NULL;
   return stream;
 }
 
@@ -82,16 +81,16 @@ void cli_file_check(const char *path) {
   if (direct)
     return;
   fclose(cli_file_open(path));
-  cli_clean_up();
+  remove_partial();
 }
 
 void cli_file_close(FILE *stream) {
   bool bad = fflush(stream) != 0 || ferror(stream);
   if (stream != stdout)
     bad = fclose(stream) != 0 || bad;
-  if (bad || (temporary[CLI_PARTIAL] && rename(temporary[CLI_PARTIAL], written) != 0))
+  if (bad || (partial && rename(partial, written) != 0))
     cli_fail("cannot write %s: %s", written ? written : "standard output", strerror(errno));
-  temporary[CLI_PARTIAL] = NULL;
+  partial = NULL;
 }
 
 void cli_print_comment(FILE *out, const char *text) {

@@ -1,6 +1,6 @@
-/* Pictures by gnuplot: the table in a temporary folder, the script that draws it, and a copy of the
- * picture; see cli.h. The title reaches gnuplot as an argument of the script, which is
- * never read as a command, and it reads no start-up files.
+/* Pictures by gnuplot, from a temporary table that it has as standard input and a script, written
+ * to its standard output; see cli.h. The title reaches gnuplot as an argument of the script, which
+ * is never read as a command, and it reads no start-up files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
@@ -19,9 +19,6 @@ enum { PATH_MOST = 4096, TITLE_MOST = 600 };
 
 extern char **environ;
 
-/* The folder with the table and the picture. */
-static char folder[PATH_MOST], table_path[PATH_MOST + 20], picture_path[PATH_MOST + 20];
-
 /* png, svg or pdf. */
 static const char *ending_of(const char *path) {
   static const char *const endings[] = {"png", "svg", "pdf"};
@@ -32,14 +29,18 @@ static const char *ending_of(const char *path) {
   cli_bad_usage("--plot is '%s'; the file must end in .png, .svg or .pdf", path);
 }
 
-/* The exit status of a program; -1 if it cannot be run. */
-static int run_program(char *const arguments[]) {
+/* Runs gnuplot; false where it fails. */
+static bool run_gnuplot(char *const arguments[], FILE *in, FILE *out) {
   pid_t child;
-  int status;
-  if ((errno = posix_spawnp(&child, arguments[0], NULL, NULL, arguments, environ)) != 0 ||
-      waitpid(child, &status, 0) != child)
-    return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  int status = -1;
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, fileno(in), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, fileno(out), STDOUT_FILENO);
+  if (posix_spawnp(&child, arguments[0], &files, NULL, arguments, environ) == 0)
+    waitpid(child, &status, 0);
+  posix_spawn_file_actions_destroy(&files);
+  return status == 0;
 }
 
 void cli_plot_check(const cli_call *call) {
@@ -75,51 +76,28 @@ static void title_of(const cli_call *call, char title[TITLE_MOST]) {
 }
 
 FILE *cli_plot_open(const cli_call *call) {
-  const char *parent = getenv("TMPDIR");
-  snprintf(folder, sizeof folder, "%s/asperity.XXXXXX", parent && *parent ? parent : "/tmp");
-  if (!mkdtemp(folder))
-    cli_fail("cannot make a temporary folder '%s': %s", folder, strerror(errno));
-  cli_remove_later(CLI_FOLDER, folder);
-  snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
-  snprintf(picture_path, sizeof picture_path, "%s/picture.%s", folder,
-           ending_of(cli_value(call, "plot")));
-  cli_remove_later(CLI_TABLE, table_path);
-  cli_remove_later(CLI_PICTURE, picture_path);
-  FILE *table = fopen(table_path, "w+");
+  FILE *table = tmpfile();
   if (!table)
-    cli_fail("cannot write '%s': %s", table_path, strerror(errno));
+    cli_fail("cannot make a temporary file for --plot %s: %s", cli_value(call, "plot"),
+             strerror(errno));
   return table;
 }
 
-static void copy(FILE *from, FILE *to) {
-  char block[65536];
-  for (size_t size; (size = fread(block, 1, sizeof block, from)) > 0;)
-    fwrite(block, 1, size, to);
-}
-
-/* Draws the table at its path. */
-static void draw(const cli_call *call, const char *name) {
-  char script[PATH_MOST], title[TITLE_MOST];
+void cli_plot_close(const cli_call *call, FILE *table, const char *name) {
+  const char *path = cli_value(call, "plot");
+  char script[PATH_MOST], title[TITLE_MOST], picture[] = "-.xxx";
   find_script(name, script);
   title_of(call, title);
-  char *const arguments[] = {"gnuplot", "-d", "-c", script, table_path, picture_path, title, NULL};
-  int status = run_program(arguments);
-  FILE *picture = status == 0 ? fopen(picture_path, "rb") : NULL;
-  if (!picture)
-    cli_fail("gnuplot failed; no picture '%s' is drawn", cli_value(call, "plot"));
-  FILE *out = cli_file_open(cli_value(call, "plot"));
-  copy(picture, out);
-  fclose(picture);
-  cli_file_close(out);
-  fprintf(stderr, "picture: %s\n", cli_value(call, "plot"));
-}
-
-void cli_plot_close(const cli_call *call, FILE *table, const char *script) {
+  strcpy(picture + 2, ending_of(path));
   if (fflush(table) != 0 || ferror(table))
-    cli_fail("cannot write '%s': %s", table_path, strerror(errno));
-  draw(call, script);
+    cli_fail("cannot write a temporary file for --plot %s: %s", path, strerror(errno));
+  FILE *out = cli_file_open(path);
+  char *const arguments[] = {"gnuplot", "-d", "-c", script, "/dev/stdin", picture, title, NULL};
+  if (!run_gnuplot(arguments, table, out))
+    cli_fail("gnuplot failed; no picture '%s' is drawn", path);
+  cli_file_close(out);
   fclose(table);
-  cli_clean_up();
+  fprintf(stderr, "picture: %s\n", path);
 }
 
 FILE *cli_table_open(const cli_call *call, const char *description) {
@@ -135,9 +113,10 @@ void cli_table_close(const cli_call *call, FILE *table, const char *script) {
     return;
   }
   FILE *out = cli_file_open(cli_value(call, "output"));
-  fflush(table);
+  char block[65536];
   rewind(table);
-  copy(table, out);
+  for (size_t size; (size = fread(block, 1, sizeof block, table)) > 0;)
+    fwrite(block, 1, size, out);
   cli_file_close(out);
   cli_plot_close(call, table, script);
 }

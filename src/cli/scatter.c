@@ -13,8 +13,8 @@
 #define FORMS                                                                                      \
   "impacts are columns alpha1,v1,alpha2_plane,v2_plane or alpha1,cor_v_plane and "                 \
   "cor_alpha_plane or alpha2_plane (one camera), both alike of _space, or v1_n,v1_t,v2_n,v2_t or " \
-  "v1_n,v2_n or cor_n,cor_t or alpha1,alpha2_plane alone; means are "                              \
-  "cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd or alpha2_plane_mean,alpha2_plane_sd"
+  "v1_n,v2_n (a drop: --columns v1_n=1,v2_n=2) or cor_n,cor_t or alpha1,alpha2_plane alone; "      \
+  "means are cor_n_mean,cor_n_sd,cor_t_mean,cor_t_sd or alpha2_plane_mean,alpha2_plane_sd"
 
 /* The columns that give the coefficients, in this order where there are several. */
 typedef struct form {

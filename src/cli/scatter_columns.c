@@ -130,15 +130,15 @@ static double factor_of(const char *kind, const char *unit, bool stated) {
 
 /* The unit of a ledger's column that has none in its name: of the units in the first comment, else
  * of SI; NAN where they have no size. */
-static double ledger_unit(const char *comment, const char *kind) {
+static double ledger_unit(const char *header, const char *kind) {
   static const asp_units styles[] = {
       {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}, {"nano", 1e9, 1e21, 1e9}};
-  const char *named = strstr(comment, UNITS);
+  const char *named = strstr(header, UNITS);
   named = named ? named + strlen(UNITS) : "si";
   if (!*kind || strcmp(kind, ANGLE) == 0)
     return 1;
   for (size_t i = 0; i < sizeof styles / sizeof *styles; i++)
-    if (strlen(styles[i].name) == strcspn(named, ";") &&
+    if (strlen(styles[i].name) == strcspn(named, ";\n") &&
         strncmp(styles[i].name, named, strlen(styles[i].name)) == 0)
       return 1 / aspi_quantity_factor(kind, &styles[i]);
   return NAN;
@@ -157,7 +157,7 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
   if (factor > 0)
     return factor;
   if (t->is_ledger)
-    return ledger_unit(t->table->comment, kind);
+    return ledger_unit(t->table->header, kind);
   if (strcmp(kind, LENGTH) == 0)
     cli_bad_usage("%s: the unit of column '%s' is not stated; name it %.*s_um, _mm or _m", path,
                   name, own, columns[column].names);
@@ -169,18 +169,13 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
 }
 
 void cli_scatter_choose(cli_scatter *t, const cli_option *choice) {
-  char *list = cli_copy(choice->value), *item, *end;
+  char *list = cli_copy(choice->value), *item;
   while ((item = aspi_text_field(&list, ',')) != NULL) {
     char *name = aspi_text_field(&item, '=');
     const char *rest;
-    int c = name ? column_of(name, &rest) : -1, place = -1;
-    if (item)
-      place = (int)strtol(item, &end, 10) - 1;
-    if (item && *end)
-      for (place = t->table->columns - 1; place >= 0; place--)
-        if (strcmp(t->table->column[place].name, item) == 0)
-          break;
-    if (c < 0 || *rest || place < 0 || place >= t->table->columns)
+    int c = name ? column_of(name, &rest) : -1;
+    int place = item ? aspi_table_asked(t->table, item, t->table->columns) : -1;
+    if (c < 0 || *rest || place < 0)
       cli_bad_usage(
           "--%s is '%s'; it must be names of columns, each with a number from 1 to %d or a "
           "name of %s: alpha1=2,v1=3",
@@ -215,10 +210,8 @@ void cli_scatter_turn(cli_scatter *t, const cli_option *from) {
 }
 
 cli_scatter cli_scatter_open(const char *path, int end) {
-  asp_error error;
-  cli_scatter t = {.table = aspi_table_open(NULL, path, 0, &error)};
-  cli_must(t.table, &error);
-  t.is_ledger = strstr(t.table->comment, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
+  cli_scatter t = {.table = cli_made(aspi_table_open(NULL, path, 0, &cli_error))};
+  t.is_ledger = strstr(t.table->header, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.at[c] = -1;
   for (int i = 0; i < t.table->columns; i++) {
@@ -240,12 +233,11 @@ cli_scatter cli_scatter_open(const char *path, int end) {
 
 void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
   char name[40];
-  asp_error error;
   snprintf(name, sizeof name, "%.*s", (int)strcspn(columns[column].names, " "),
            columns[column].names);
   if (t->at[column] < 0) {
-    aspi_table_need(t->table, name, &error);
-    cli_bad_usage("%s%s", error.text, hint);
+    aspi_table_need(t->table, name, &cli_error);
+    cli_bad_usage("%s%s", cli_error.text, hint);
   }
   if (isnan(t->factor[column]))
     cli_bad_usage("%s: '%s' is in a ledger's units, which have no size in SI", t->table->text.path,
@@ -271,9 +263,8 @@ static double outcome_of(const aspi_table *table, const char *word) {
 }
 
 bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
-  asp_error error;
   bool found, missing;
-  cli_must(!aspi_table_row(t->table, &found, &error), &error);
+  cli_must(!aspi_table_row(t->table, &found, &cli_error));
   for (int c = 0, first = t->count == 0; c < SCATTER_COLUMNS && first; c++)
     if (t->at[c] >= 0)
       t->used[t->count++] = c;
@@ -286,8 +277,7 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
       value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
     else
       cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / by, columns[c].most / by,
-                                  &value[c], t->needed[c] ? NULL : &missing, &error),
-               &error);
+                                  &value[c], t->needed[c] ? NULL : &missing, &cli_error));
     value[c] *= t->factor[c];
     value[c] = t->from_normal[c] ? 90 - value[c] : value[c];
   }

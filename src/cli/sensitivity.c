@@ -37,20 +37,17 @@ typedef struct study {
 /* ---- walls ---- */
 
 static void add_wall(study *s, const asp_description *words) {
-  asp_error error;
-  s->walls[s->n_walls] = asp_wall_create(words, 0, 0, &error);
-  cli_must(s->walls[s->n_walls++], &error);
+  s->walls[s->n_walls++] = cli_made(asp_wall_create(words, 0, 0, &cli_error));
 }
 
 /* The run's wall with another surface. */
 static void add_other(study *s, const char *surface) {
-  asp_error error;
   const char *rest = s->own.text + asp_description_clause(s->own.text);
   char *text = cli_allocate(strlen(surface) + strlen(rest) + 2, 1);
   sprintf(text, "%s %s", surface, rest);
-  asp_description *words = asp_description_parse(text, NULL, &error);
+  asp_description *words = asp_description_parse(text, NULL, &cli_error);
   if (!words)
-    cli_bad_usage("--to is '%s', behind which '%s' stays: %s", surface, rest, error.text);
+    cli_bad_usage("--to is '%s', behind which '%s' stays: %s", surface, rest, cli_error.text);
   asp_description_expect_pairs(words); /* the run's */
   if (asp_description_needs_sizes(words))
     cli_bad_usage("--to is '%s'; it must be given by rq and lambda_c, or by sigma", surface);
@@ -107,7 +104,6 @@ static void take_heading(study *s, const char *name, const char *heading) {
 
 /* Repeats the impact of a row and takes the ratios of its draws. */
 static void weigh(study *s, size_t line, const double of[], aspi_drawn *d) {
-  asp_error error;
   asp_impact is;
   double lay[3], weights[WALLS_MOST], *own = d->own;
   asp_particle particle = {.d_p = of[D_P],
@@ -118,8 +114,7 @@ static void weigh(study *s, size_t line, const double of[], aspi_drawn *d) {
   memcpy(particle.omega, of + SPIN, sizeof particle.omega);
   asp_key key = {s->key.seed, s->key.wall, (uint64_t)of[TAG], (uint32_t)of[IMPACT]};
   cli_must(!asp_wall_weights(s->own.wall, 1, &particle, of + BEFORE, of + NORMAL, &key, s->n_walls,
-                             s->walls, &is, weights, &error),
-           &error);
+                             s->walls, &is, weights, &cli_error));
   const double *v = of + AFTER;
   double off = hypot(hypot(is.v2[0] - v[0], is.v2[1] - v[1]), is.v2[2] - v[2]);
   if (!(off <= SAME * of[V1]) || is.hits != (int)of[HITS])
@@ -168,7 +163,7 @@ static void read_ledger(study *s, const char *name) {
   static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
   double of[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
-  take_heading(s, name, ledger.table->comment);
+  take_heading(s, name, ledger.table->header);
   ledger.at[POINT] = ledger.at[POINT + COR_T] =
       -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)

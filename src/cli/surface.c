@@ -57,57 +57,27 @@ static void read_unit(const cli_option *option, aspi_profile_options *read) {
         option->name, option->value);
 }
 
-static void take_steps(const cli_option *value, aspi_profile_options *read) {
-  cli_list steps = cli_lengths(value);
+static void read_step(const cli_option *option, aspi_profile_options *read) {
+  cli_list steps = cli_lengths(option);
   if (steps.count > 2)
-    cli_bad_usage("--%s is '%s'; it must be one length, or two", value->name, value->value);
+    cli_bad_usage("--%s is '%s'; it must be one length, or two", option->name, option->value);
   read->step[0] = steps.values[0];
   read->step[1] = steps.values[steps.count - 1];
-  free(steps.values);
 }
 
-/* Takes the value of a word of --read, or of --filter; false: there is no such word. */
-static bool take_word(const char *word, bool filters, const cli_option *value,
-                      aspi_profile_options *read) {
-  if (filters) {
-    double *filter = strcmp(word, "tip") == 0        ? &read->filters.tip
-                     : strcmp(word, "lambda_s") == 0 ? &read->filters.lambda_s
-                     : strcmp(word, "cutoff") == 0   ? &read->filters.cutoff
-                                                     : NULL;
-    if (filter)
-      *filter = cli_length(value);
-    return filter;
-  }
-  if (strcmp(word, "row") == 0)
-    read->row = (int)cli_whole(value, 1, 1000000);
-  else if (strcmp(word, "column") == 0)
-    read->column = (int)cli_whole(value, 1, 1000000);
-  else if (strcmp(word, "missing") == 0)
-    read->missing = cli_number(value, -1e300, 1e300);
-  else if (strcmp(word, "x_column") == 0)
-    read->x_column = value->value;
-  else if (strcmp(word, "z_column") == 0)
-    read->z_column = value->value;
-  else if (strcmp(word, "spacing") == 0)
-    read->resample = !cli_choice(&(cli_option){value->name, "resample|refuse", NULL, value->value});
-  else if (strcmp(word, "step") == 0)
-    take_steps(value, read);
-  else
-    return false;
-  return true;
-}
-
-/* Words and their values, with blanks between. */
-static void take_words(const cli_option *option, bool filters, aspi_profile_options *read) {
-  if (!option->value)
-    return;
-  char *text = cli_copy(option->value), name[80];
-  for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
+/* Words and their lengths, with blanks between. */
+static void read_filters(const cli_option *option, aspi_filters *filters) {
+  static const char words[] = "tip lambda_s cutoff";
+  double *const lengths[] = {&filters->tip, &filters->lambda_s, &filters->cutoff};
+  char *text = cli_copy(option->value), *word, name[80];
+  while ((word = aspi_text_field(&text, ' ')) != NULL) {
+    int index = aspi_word_index(words, word, strlen(word), true);
     snprintf(name, sizeof name, "%s %.40s", option->name, word);
-    const cli_option value = {name, "VALUE", option->help, strtok(NULL, " ")};
-    if (!value.value || !take_word(word, filters, &value, read))
-      cli_bad_usage("--%s is '%s'; '%s' is unknown or without a value; there are: %s", option->name,
-                    option->value, word, option->help);
+    const cli_option length = {name, "LENGTH", option->help, aspi_text_field(&text, ' ')};
+    if (index < 0 || !length.value)
+      cli_bad_usage("--%s is '%s'; '%s' is unknown or without a length; there are: %s",
+                    option->name, option->value, word, option->help);
+    *lengths[index] = cli_length(&length);
   }
 }
 
@@ -116,12 +86,19 @@ static aspi_profile_options read_options(const cli_call *call) {
   const cli_option *form = cli_get(call, "form");
   if (cli_value(call, "unit"))
     read_unit(cli_get(call, "unit"), &read);
-  read.form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
-  read.fill = cli_choice(cli_get(call, "gaps"));
+  if (cli_value(call, "step"))
+    read_step(cli_get(call, "step"), &read);
+  if (cli_value(call, "missing"))
+    read.missing = cli_number(cli_get(call, "missing"), -1e300, 1e300);
   if (cli_value(call, "spikes"))
     read.spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
-  take_words(cli_get(call, "read"), false, &read);
-  take_words(cli_get(call, "filter"), true, &read);
+  if (cli_value(call, "filter"))
+    read_filters(cli_get(call, "filter"), &read.filters);
+  read.x_column = cli_value(call, "x-column");
+  read.column = cli_value(call, "column");
+  read.row = (int)cli_whole(cli_get(call, "row"), 1, 1000000);
+  read.form = strcmp(form->value, "none") == 0 ? -1 : (int)cli_whole(form, 0, ASP_FORM_MAX);
+  read.fill = cli_choice(cli_get(call, "gaps"));
   return read;
 }
 
@@ -149,38 +126,34 @@ static void tell(FILE *out, const cli_measured *m) {
 static cli_measured read_file(const cli_call *call, const char *file, bool is_map,
                               const cli_list *sizes) {
   const aspi_profile_options how = read_options(call);
-  asp_error error;
   cli_measured m = {.name = file};
-  m.heights = aspi_read(NULL, file, is_map, &how, &m.report, &error);
-  cli_must(m.heights, &error);
-  if (asp_heights_describe(m.heights, &m.numbers, &error) ||
-      aspi_heights_check(m.heights, &m.numbers, &error))
-    cli_bad_usage("%s: %s", file, error.text);
+  m.heights = cli_made(aspi_read(NULL, file, is_map, &how, &m.report, &cli_error));
+  if (asp_heights_describe(m.heights, &m.numbers, &cli_error) ||
+      aspi_heights_check(m.heights, &m.numbers, &cli_error))
+    cli_bad_usage("%s: %s", file, cli_error.text);
   aspi_extent extent = aspi_heights_extent(m.heights);
   if (sizes->least < extent.spacing)
     cli_bad_usage("--dp is %gum; the %s's points are %gum apart and do not resolve it",
                   sizes->least * 1e6, aspi_kind_of_rows(m.heights->rows), extent.spacing * 1e6);
   if (*m.report.warnings)
     cli_warn("%s: %s", file, m.report.warnings);
-  if (aspi_sampling_check(sizes->least, extent.spacing, extent.length, m.numbers.lambda_2, &error))
-    cli_warn("%s: %s", file, error.text);
+  if (aspi_sampling_check(sizes->least, extent.spacing, extent.length, m.numbers.lambda_2,
+                          &cli_error))
+    cli_warn("%s: %s", file, cli_error.text);
   return m;
 }
 
 /* The profile along the flight; `more` is added to the seed. */
 static wall_profile generate_wall(const cli_call *call, const cli_description *wall,
                                   uint32_t more) {
-  asp_error error;
-  asp_surface *surface = aspi_description_surface(wall->words, &error);
-  cli_must(surface, &error);
+  asp_surface *surface = cli_made(aspi_description_surface(wall->words, &cli_error));
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall, surface));
   asp_surface_free(surface);
-  asp_heights *profile =
+  asp_heights *profile = cli_made(
       aspi_profile_generate(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
                             cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
-                            (uint32_t)asp_description_get(wall->words, "seed") + more, &error);
-  cli_must(profile, &error);
+                            (uint32_t)asp_description_get(wall->words, "seed") + more, &cli_error));
   return (wall_profile){profile, r_q, lambda_c, NULL};
 }
 
@@ -200,7 +173,7 @@ static double kappa_of(const slopes_row *row) {
 
 /* The slopes that discs of every size meet on a profile, in order, on all cores. */
 static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row *rows) {
-  asp_error error = {ASP_OK, ""};
+  cli_error.code = ASP_OK;
   size_t finished = 0;
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
 #pragma omp parallel for schedule(dynamic)
@@ -211,11 +184,11 @@ static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row 
 #pragma omp critical
     {
       if (own.code)
-        error = own;
+        cli_error = own;
       cli_progress_show(&progress, (double)++finished);
     }
   }
-  cli_must(!error.code, &error);
+  cli_must(!cli_error.code);
   cli_progress_end(&progress);
 }
 
@@ -247,11 +220,10 @@ enum { DRAWN_MOST = 1 << 16 };
 static void plot(const cli_call *call, const wall_profile *wall, double d_p) {
   size_t n = wall->profile->columns, tilts;
   double *slope = cli_allocate(n, sizeof *slope), dx = wall->profile->step[0];
-  asp_error error;
-  asp_heights *center = aspi_profile_rolled(wall->profile, d_p, 1, &error);
-  asp_heights *closed = center ? aspi_profile_closed(wall->profile, d_p, &error) : NULL;
-  if (!closed || aspi_profile_slopes(wall->profile, d_p, slope, &tilts, &error))
-    cli_fail("%s", error.text);
+  asp_heights *center = aspi_profile_rolled(wall->profile, d_p, 1, &cli_error);
+  asp_heights *closed = center ? aspi_profile_closed(wall->profile, d_p, &cli_error) : NULL;
+  if (!closed || aspi_profile_slopes(wall->profile, d_p, slope, &tilts, &cli_error))
+    cli_fail("%s", cli_error.text);
   FILE *out = cli_plot_open(call);
   fputs("x_um,z_um,closed_um,center_um,tilt_deg\n", out);
   for (size_t i = 0; i < n && i < DRAWN_MOST; i++)
@@ -271,8 +243,10 @@ static void check_options(const cli_call *call, const char *kind) {
   static const struct {
     const char *option;
     int own;
-  } list[] = {{"points", GENERATED}, {"filter", BY_PROFILE}, {"unit", MEASURED}, {"form", MEASURED},
-              {"gaps", MEASURED},    {"spikes", MEASURED},   {"read", MEASURED}};
+  } list[] = {{"points", GENERATED},    {"row", BY_PROFILE},    {"column", BY_PROFILE},
+              {"x-column", BY_PROFILE}, {"filter", BY_PROFILE}, {"unit", MEASURED},
+              {"step", MEASURED},       {"missing", MEASURED},  {"form", MEASURED},
+              {"gaps", MEASURED},       {"spikes", MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE
              : strcmp(kind, "rq") == 0      ? GENERATED
@@ -390,12 +364,13 @@ static const cli_option options[] = {
     {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     {"unit", "U[,U]",
      "unit of the columns of a file that does not state it, or the length that stands for 1", NULL},
-    {"read", "WORDS",
-     "content of the file: row N of an SDF, SUR or X3P map, column N (of such a map, or the "
-     "heights of a "
-     "text), x_column and z_column N or NAME, missing VALUE, spacing resample or refuse, step "
-     "LENGTH[,LENGTH] between heights without positions, or between columns and rows of a matrix",
+    {"row", "N", "row of an SDF, SUR or X3P map that is the profile", "1"},
+    {"column", "N|NAME", "column with the heights of a text, or of such a map in place of a row",
      NULL},
+    {"x-column", "N|NAME", "column with the positions of a text", NULL},
+    {"step", "LENGTH[,LENGTH]",
+     "between heights without positions, or between columns and rows of a matrix", NULL},
+    {"missing", "VALUE", "height that marks a missing one", NULL},
     {"form", "DEGREE", "degree of the polynomial that is subtracted as form: none, or 0 to 9", "1"},
     {"gaps", "refuse|fill", "refuse a file with bad and missing points, or fill them", "refuse"},
     {"spikes", "K", "count points more than K robust sd from their neighbors as bad", NULL},

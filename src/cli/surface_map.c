@@ -25,10 +25,9 @@ static void measure(const cli_measured *m, const cli_list *sizes, slopes *all) {
         *q = cli_allocate(n, sizeof *q);
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
   for (size_t i = 0; i < sizes->count; i++) {
-    asp_error error;
-    aspi_ball *ball = aspi_ball_create(m->heights, sizes->values[i], &error);
+    aspi_ball *ball = aspi_ball_create(m->heights, sizes->values[i], &cli_error);
     if (!ball)
-      cli_bad_usage("--dp: %s", error.text);
+      cli_bad_usage("--dp: %s", cli_error.text);
     size_t finished = 0;
 #pragma omp parallel for schedule(dynamic)
     for (size_t j = 0; j < rows; j += ROWS_AT_ONCE) {
@@ -106,9 +105,7 @@ static void plot(const cli_call *call, const asp_heights *map, double d_p) {
   size_t n = map->columns, count = n * map->rows;
   float *z = cli_allocate(count, sizeof *z), *p = cli_allocate(count, sizeof *p),
         *q = cli_allocate(count, sizeof *q);
-  asp_error error;
-  aspi_ball *ball = aspi_ball_create(map, d_p, &error);
-  cli_must(ball, &error);
+  aspi_ball *ball = cli_made(aspi_ball_create(map, d_p, &cli_error));
   aspi_ball_rows(ball, 0, map->rows, z, p, q);
   aspi_ball_free(ball);
   FILE *out = cli_plot_open(call);

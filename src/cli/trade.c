@@ -54,20 +54,17 @@ static size_t list_models(const aspi_judge_case *subject, const asp_spread_model
 }
 
 /* All rows, angle by angle. */
-static void judge_all(const cli_call *call, const cli_list *angles, aspi_judge_case *subject,
-                      const asp_spread_model **of, size_t models, judged *rows) {
-  bool multiple = cli_choice(cli_get(call, "collisions"));
+static void judge_all(const cli_list *angles, aspi_judge_case *subject, const asp_spread_model **of,
+                      size_t models, judged *rows) {
   aspi_judge judge;
-  asp_error error;
   cli_progress progress = cli_progress_begin("ensemble", 1);
   subject->progress = cli_progress_show;
   subject->context = &progress;
-  cli_must(!aspi_judge_create(&judge, subject, angles->values, angles->count, &error), &error);
+  cli_must(!aspi_judge_create(&judge, subject, angles->values, angles->count, &cli_error));
   cli_progress_end(&progress);
   progress = cli_progress_begin("models", (double)models);
   for (size_t m = 0; m < models; m++) {
-    asp_wall *model = aspi_judge_wall(subject, asp_spread_name(of[m]), multiple, &error);
-    cli_must(model, &error);
+    asp_wall *model = cli_made(aspi_judge_wall(subject, asp_spread_name(of[m]), &cli_error));
     for (size_t i = 0; i < angles->count; i++) {
       judged *row = &rows[i * models + m];
       *row = judge_at(subject, &judge, model, angles->values[i], i);
@@ -157,8 +154,8 @@ static void check_wall(const asp_description *words) {
 static aspi_judge_case case_of(const cli_call *call, const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   asp_heights *profile;
-  asp_error doubt, error;
-  cli_must(!aspi_heights_read(wall->words, &profile, &doubt, &error), &error);
+  asp_error doubt;
+  cli_must(!aspi_heights_read(wall->words, &profile, &doubt, &cli_error));
   if (profile && cli_is_set(call, "ensemble"))
     cli_bad_usage("--ensemble has no effect on a measured profile, which is the reference itself");
   double r_q, lambda_c;
@@ -201,7 +198,7 @@ static void run(cli_call *call) {
   const asp_spread_model *of[MODELS_MOST];
   size_t models = list_models(&subject, of), n = angles.count * models;
   judged *rows = cli_allocate(n, sizeof *rows);
-  judge_all(call, &angles, &subject, of, models, rows);
+  judge_all(&angles, &subject, of, models, rows);
   FILE *out = cli_table_open(call, wall.text);
   if (tolerance > 0)
     mark(out, summarize(rows, n, models), models, tolerance);
@@ -215,7 +212,6 @@ static const cli_option options[] = {
     {"tolerance", "D", "name the cheapest model whose D_KL of the rebound angle is below D", NULL},
     {"rays", "N", "impacts per model and angle", "200000"},
     {"ensemble", "N", "profiles of 2048 lambda_c in the reference", "16"},
-    {"collisions", "single|multiple", "one hit, or as many as it takes to leave", "multiple"},
     {.name = NULL}};
 
 static const char detail[] =

@@ -74,11 +74,9 @@ static double read_number(const cli_option *option, const char *text, const char
   bool is_length = strcmp(kind, "length") == 0;
   char name[80];
   double value;
-  asp_error error;
   snprintf(name, sizeof name, "--%s", option->name);
-  cli_must(!aspi_quantity_read(name, text, kind, &si, &value, &error) &&
-               !aspi_quantity_check(name, text, kind, value, least, most, is_length, &error),
-           &error);
+  cli_must(!aspi_quantity_read(name, text, kind, &si, &value, &cli_error) &&
+           !aspi_quantity_check(name, text, kind, value, least, most, is_length, &cli_error));
   if (is_length)
     cli_check_unit(name, text, kind);
   return value;

@@ -136,11 +136,11 @@ void Model::read_measured() {
   MPI_Allreduce(&good, &all, 1, MPI_INT, MPI_MIN, engine_.world());
   if (!all)
     throw Error(good ? "the file '" + path + "' cannot be read by all ranks"
-                     : std::string(wrong.text) + asp_reader_advice(wrong.text));
+                     : std::string(wrong.text));
   report_ = report;
   if (doubt.code)
     engine_.warn(std::string(is_map ? "surface map " : "surface profile ") + path + ": " +
-                 doubt.text + asp_reader_advice(doubt.text));
+                 doubt.text);
   if (asp_description_set_heights(description_.get(), heights_.get(), &wrong))
     throw_error(wrong);
 }

@@ -234,6 +234,5 @@ bool asp_doubt(const asp_question *question, int index, char *text, size_t size)
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;
   doubts[index](question, text, size);
-  aspi_append(text, size, "%s", asp_reader_advice(text));
   return true;
 }

@@ -28,8 +28,7 @@ asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_
     return aspi_fail(error, ASP_EARG, "a %s is in SI units, which cannot be converted to %s", kind,
                      d->units.name);
   *heights = asp_heights_read(d->file, d->kind == ASPI_MAP, d->units.meter, NULL, 0, doubt, &wrong);
-  return *heights ? ASP_OK
-                  : aspi_fail(error, wrong.code, "%s%s", wrong.text, asp_reader_advice(wrong.text));
+  return *heights ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 
 asp_code asp_description_set_heights(asp_description *d, const asp_heights *heights,

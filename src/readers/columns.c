@@ -44,8 +44,8 @@ static const char positions[] = "x pos position positions distance dist lateral 
                   depths[] = "depth depths tiefe profondeur", marks[] = "valid gueltig valide";
 
 #define ASK_COLUMNS                                                                                \
-  "say which columns are positions and heights (reader: x_column, column), "                       \
-  "or the step of heights alone (reader: column, step_x)"
+  "say which columns are positions and heights (asperity surface --x-column 1 --column 2), "       \
+  "or the step of heights alone (--step 0.5um)"
 #define DECIMAL_COMMAS                                                                             \
   "are there decimal commas? Separate columns by semicolons or tabs, or write decimal points"
 
@@ -131,30 +131,14 @@ static int first_of(const reader *r, const char *list, int other) {
 
 /* ---- columns ---- */
 
-/* A column that is asked for by its number from 1, or by its number or name as text: from 0, -1
- * where none is. Names are compared without their unit. */
-static asp_code find_asked(const reader *r, const char *asked, int number, int *found,
-                           asp_error *error) {
-  const aspi_table *t = r->table;
-  char *end = NULL;
-  if (asked)
-    number = (int)strtol(asked, &end, 10);
-  *found = number - 1;
-  if (!asked || !*end) {
-    if (number <= r->due && (number > 0 || !asked))
-      return ASP_OK;
-    return aspi_table_fail(t, error, "column %d is asked for; the file has %d columns", number,
-                           r->due);
-  }
-  for (*found = 0; *found < t->columns; ++*found) {
-    const char *name = t->column[*found].name;
-    size_t length = strcspn(name, "([{/_ ");
-    if (strcasecmp(name, asked) == 0 ||
-        (strlen(asked) == length && strncasecmp(name, asked, length) == 0))
-      return ASP_OK;
-  }
-  return aspi_table_fail(
-      t, error, "column '%.40s' is asked for; none of the %d columns has that name", asked, r->due);
+static asp_code find_asked(const reader *r, const char *asked, int *found, asp_error *error) {
+  *found = asked ? aspi_table_asked(r->table, asked, r->due) : -1;
+  if (!asked || *found >= 0)
+    return ASP_OK;
+  return aspi_table_fail(r->table, error,
+                         "column '%.40s' is asked for; none of the %d columns has that name or "
+                         "number",
+                         asked, r->due);
 }
 
 /* The columns that neither the user nor names state. Of two columns the first is that of positions
@@ -187,12 +171,12 @@ static asp_code find_units(reader *r, asp_error *error) {
       return aspi_table_fail(
           r->table, error,
           "no unit of the heights is stated before the first numbers; say which unit of "
-          "length they are in (reader: unit_z)");
+          "length they are in (asperity surface --unit um)");
     if (!(r->unit[k] > 0))
       return aspi_table_fail(
           r->table, error,
           "no unit of length is stated of column %d before the first numbers; say which "
-          "unit of length the columns are in (reader: unit_x, unit_z)",
+          "unit of length the columns are in (asperity surface --unit um)",
           at + 1);
     if (k == Z && c && is_of(depths, c))
       r->unit[k] *= -1;
@@ -204,8 +188,8 @@ static asp_code choose_profile(reader *r, asp_error *error) {
   const aspi_profile_options *o = r->options;
   bool alone = r->step[0] > 0;
   int named = r->table->columns, *x = &r->column[X], *z = &r->column[Z];
-  asp_code code = alone ? ASP_OK : find_asked(r, o->x_column, 0, x, error);
-  code = code ? code : find_asked(r, o->z_column, o->column, z, error);
+  asp_code code = alone ? ASP_OK : find_asked(r, o->x_column, x, error);
+  code = code ? code : find_asked(r, o->column, z, error);
   if (code)
     return code;
   if (*x >= 0 && *x == *z)
@@ -220,7 +204,8 @@ static asp_code choose_profile(reader *r, asp_error *error) {
                            r->table->separator == ',' ? " (or " DECIMAL_COMMAS ")" : "");
   if (!alone && r->due == 1)
     return aspi_table_fail(r->table, error,
-                           "heights alone of a profile need the step between them, reader: step_x");
+                           "heights alone of a profile need the step between them (asperity "
+                           "surface --step 0.5um)");
   complete(r, alone);
   if (*z < 0 || (*x < 0 && !alone))
     return aspi_table_fail(r->table, error, "no column is named as a %s; " ASK_COLUMNS,
@@ -258,13 +243,6 @@ static bool fits(reader *r) {
   return good;
 }
 
-static asp_code fail_line(const reader *r, size_t line, const char *shown, asp_error *error) {
-  return aspi_text_fail(&r->table->text, line, error,
-                        "'%s' where numbers are expected (or a height that is missing: nan, bad, "
-                        "--- or nothing)",
-                        shown);
-}
-
 /* The beginning of the line at hand, and if there are digits in it. */
 static bool show(const aspi_table *t, char *shown, size_t size) {
   bool digits = false;
@@ -300,17 +278,21 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
   size_t other = 0;
   double value;
   asp_code code;
+  bool is_first = t->has_row; /* which is counted */
   while (!(code = aspi_table_line(t, found, error)) && *found) {
     bool full = r->stated > 0 && t->rows >= r->stated;
     bool good = fits(r),
          first = (other || !good) && aspi_table_field(t, 0, &value) == ASP_WORD_NUMBER;
     if (good && !other) {
-      t->rows++;
+      t->rows += !is_first;
       return check_count(r, error);
     }
     bool digits = show(t, other ? shown : first_shown, sizeof shown);
     if (!full && (other ? good && first : first || t->rows < ROWS_LEAST))
-      return fail_line(r, other ? other : t->text.line, first_shown, error);
+      return aspi_file_fail(t->text.path, other ? other : t->text.line, error,
+                            "'%s' where numbers are expected (or a height that is missing: nan, "
+                            "bad, --- or nothing)",
+                            first_shown);
     other = other ? other : t->text.line;
     r->left_line = r->left == 0 ? t->text.line : r->left_line;
     r->left += digits;
@@ -366,13 +348,9 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   const aspi_profile_options *o = r->options;
   asp_code code = ASP_OK;
   raw->columns = (size_t)r->due;
-  for (bool found = true; found && !code;) {
+  for (bool found; !code && !(code = next_row(r, &found, error)) && found; raw->rows++)
     for (int i = 0; i < r->due && !code; i++)
       code = aspi_raw_add(raw, height_at(r, i, raw), error);
-    raw->rows++;
-    if (!code)
-      code = next_row(r, &found, error);
-  }
   if (code)
     return code;
   take_axes(r, o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1), raw);
@@ -380,10 +358,9 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   for (int k = 0; k < 2; k++)
     raw->step[k] = r->step[k] > 0 ? r->step[k] : side[k] / (double)(k ? raw->rows : raw->columns);
   if (!(raw->step[0] > 0))
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: a matrix of heights does not say how far apart its points are; tell "
-                     "it (reader: step_x, step_y)",
-                     r->table->text.path);
+    return aspi_file_fail(r->table->text.path, 0, error,
+                          "a matrix of heights does not say how far apart its points are; tell "
+                          "it (asperity surface --step 0.5um)");
   raw->step[1] = raw->step[1] > 0 ? raw->step[1] : raw->step[0];
   return code;
 }
@@ -411,7 +388,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
     return aspi_table_fail(
         r->table, error,
         "the spacing is given (step), but the file has the positions of its points");
-  for (bool found = true; found && !code;) {
+  for (bool found; !code && !(code = next_row(r, &found, error)) && found;) {
     double position[2] = {(double)points->count * r->step[0], 0};
     for (int k = X; k <= Y; k++)
       if (at[k] >= 0) {
@@ -421,8 +398,6 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
     double z = height_at(r, at[Z], raw);
     code = aspi_points_add(points, (aspi_point){position[0], position[1], z, r->table->text.line},
                            error);
-    if (!code)
-      code = next_row(r, &found, error);
   }
   if (!code && r->due == 1)
     drop_count(points, r, raw);
@@ -431,13 +406,19 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
 
 /* Notes how the file was read, and what was not. */
 static void describe(const reader *r, aspi_raw *raw) {
-  if (r->due > 2 && !raw->is_map) {
-    raw->column[0] = r->column[X] + 1;
-    raw->column[1] = r->column[Z] + 1;
-    raw->second_column = r->column[Y] + 1;
-  }
-  raw->end_line = r->end_line;
-  raw->were_depths = r->unit[Z] < 0;
+  const int x = r->column[X] + 1, y = r->column[Y] + 1, z = r->column[Z] + 1;
+  bool chosen = r->due > 2 && !raw->is_map;
+  if (chosen && y > 0)
+    aspi_append(raw->text, sizeof raw->text,
+                ", distances in columns %d and %d, heights of column %d", x, y, z);
+  else if (chosen && x > 0)
+    aspi_append(raw->text, sizeof raw->text, ", of columns %d and %d", x, z);
+  else if (chosen)
+    aspi_append(raw->text, sizeof raw->text, ", of column %d", z);
+  if (r->unit[Z] < 0)
+    aspi_append(raw->text, sizeof raw->text, ", depths turned into heights");
+  if (r->end_line > 0)
+    aspi_append(raw->text, sizeof raw->text, ", data end before line %zu", r->end_line);
   if (r->stated > 0 && r->stated != r->table->rows)
     aspi_append(raw->note, sizeof raw->note, "%sthe header states %zu rows, there are %zu",
                 *raw->note ? "; " : "", r->stated, r->table->rows);
@@ -451,11 +432,11 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   const aspi_profile_options *o = r->options;
   const aspi_table *t = r->table;
   aspi_points points = {0};
-  bool chosen = o->x_column && (o->z_column || o->column);
+  bool chosen = o->x_column && o->column;
   if (t->start == 0)
     return aspi_table_fail(t, error,
                            "the file ends without a line of two numbers or more (heights alone of "
-                           "a profile need the step between them, reader: step_x)");
+                           "a profile need the step between them: asperity surface --step 0.5um)");
   r->due = t->columns > t->count ? t->columns : t->count;
   double unit = o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1);
   for (int k = 0; k < 2; k++)
@@ -465,24 +446,15 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   asp_code code = raw->is_map ? choose_map(r, error) : choose_profile(r, error);
   r->due = r->column[Z] < 0 ? t->count : r->due;
   r->column[VALID] = r->column[Z] < 0 ? -1 : first_of(r, marks, -1);
-  bool found, matrix = r->column[Z] < 0;
-  if (!code)
-    code = aspi_table_line(r->table, &found, error);
-  if (!code && !fits(r)) {
-    char shown[48];
-    show(t, shown, sizeof shown);
-    code = fail_line(r, t->text.line, shown, error);
-  }
-  code = code ? code : check_count(r, error);
+  bool matrix = r->column[Z] < 0;
   if (!code)
     code = matrix ? read_matrix(r, raw, error) : read_points(r, &points, raw, error);
   if (!code && !chosen)
     code = aspi_missing_check(&r->missing, t->text.path, error);
   describe(r, raw);
   if (!code && !matrix)
-    code = raw->is_map ? aspi_points_grid(&points, t->text.path, r->unit, raw, error)
-                       : aspi_points_line(&points, t->text.path, r->unit, r->column[Y] >= 0,
-                                          o->resample, raw, error);
+    code = raw->is_map ? aspi_points_grid(&points, r->unit, raw, error)
+                       : aspi_points_line(&points, r->unit, r->column[Y] >= 0, raw, error);
   free(points.list);
   return code;
 }

@@ -45,7 +45,7 @@ static bool is_sensofar(const char *begin) {
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error) {
   char begin[128] = "", *first = begin;
   const char *name = NULL, *way = GWYDDION;
-  size_t size = aspi_text_bytes(text, begin, sizeof begin - 1);
+  size_t size = fread(begin, 1, sizeof begin - 1, text->stream);
   asp_code code = aspi_text_rewind(text, error);
   for (size_t i = 0; i < sizeof others / sizeof *others && !name; i++)
     if (size >= others[i].length && memcmp(begin, others[i].begins, others[i].length) == 0) {
@@ -54,7 +54,7 @@ asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error
     }
   name = !name && size > 24 && is_sensofar(begin) ? "Sensofar PLU" : name;
   if (name && !code && !strstr(begin, "ASCII")) /* as WSxM begins its text, too */
-    return aspi_fail(error, ASP_EDATA, "%.200s: binary, of %s%s", text->path, name, way);
+    return aspi_file_fail(text->path, 0, error, "binary, of %s%s", name, way);
   first += strncmp(begin, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
   first += strspn(first, " \t\r\n");
   bool sdf =

@@ -30,10 +30,6 @@ enum { REACH = 3, REACH_MAP = 2 };
 _Static_assert((ASP_FORM_MAX + 1) * (ASP_FORM_MAX + 2) / 2 <= ASP_TERMS_MOST,
                "the largest form has more terms than a fit");
 
-static const char *name_of(const aspi_raw *raw) {
-  return aspi_kind_of_rows(raw->rows);
-}
-
 /* ---- form ---- */
 
 /* The Legendre polynomials at index i of n points, between -1 and 1. */
@@ -64,19 +60,19 @@ static void pass(aspi_raw *raw, int degree, aspi_least_squares *fit, bool subtra
   }
 }
 
-static asp_code take_out_form(aspi_raw *raw, const char *path, int degree, asp_error *error) {
+static asp_code take_out_form(aspi_raw *raw, int degree, asp_error *error) {
   if (degree < 0)
     return ASP_OK;
   size_t n = (size_t)degree + 1, good = raw->points - aspi_raw_count_bad(raw);
   aspi_least_squares fit = {.terms = raw->is_map ? n * (n + 1) / 2 : n};
   if (good <= fit.terms)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: %zu points are too few for a polynomial of degree %d as form", path,
-                     good, degree);
+    return aspi_file_fail(raw->path, 0, error,
+                          "%zu points are too few for a polynomial of degree %d as form", good,
+                          degree);
   pass(raw, degree, &fit, false);
   if (!aspi_least_squares_solve(&fit))
-    return aspi_fail(error, ASP_EDATA, "%.200s: no polynomial of degree %d fits the %s", path,
-                     degree, name_of(raw));
+    return aspi_file_fail(raw->path, 0, error, "no polynomial of degree %d fits the %s", degree,
+                          aspi_kind_of_rows(raw->rows));
   pass(raw, degree, &fit, true);
   return ASP_OK;
 }
@@ -168,22 +164,22 @@ static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times
 /* ---- gaps ---- */
 
 /* Bad points are filled where they are no more than half; spikes count as bad. */
-static asp_code check_bad(const aspi_raw *raw, const char *path, size_t spikes, size_t first,
-                          bool fill, asp_error *error) {
+static asp_code check_bad(const aspi_raw *raw, size_t spikes, size_t first, bool fill,
+                          asp_error *error) {
   size_t bad = aspi_raw_count_bad(raw);
-  char must[80] = "fill the gaps (reader: fill 1), or mend the file";
+  char must[100] = "fill the gaps (asperity surface --gaps fill --save FILE), or mend the file";
   if (fill ? 2 * bad <= raw->points : bad == 0)
     return ASP_OK;
   if (fill)
     snprintf(must, sizeof must, "more than half of %zu points cannot be filled", raw->points);
   if (spikes > 0)
-    return aspi_fail(error, ASP_EDATA, "%.200s: point %zu is the first of %zu spikes; %s", path,
-                     first + 1, spikes, must);
+    return aspi_file_fail(raw->path, 0, error, "point %zu is the first of %zu spikes; %s",
+                          first + 1, spikes, must);
   if (raw->bad_line > 0)
-    return aspi_fail(error, ASP_EDATA, "%.200s:%zu: the first of %zu bad or missing points; %s",
-                     path, raw->bad_line, bad, must);
-  return aspi_fail(error, ASP_EDATA, "%.200s: %zu of %zu points are bad or missing; %s", path, bad,
-                   raw->points, must);
+    return aspi_file_fail(raw->path, raw->bad_line, error,
+                          "the first of %zu bad or missing points; %s", bad, must);
+  return aspi_file_fail(raw->path, 0, error, "%zu of %zu points are bad or missing; %s", bad,
+                        raw->points, must);
 }
 
 /* Cuts the bad ends of a profile off. */
@@ -246,7 +242,8 @@ static asp_code fill_gaps(aspi_raw *raw, aspi_profile_report *report, asp_error 
   free(f.sum);
   free(f.weight);
   return made ? ASP_OK
-              : aspi_fail(error, ASP_ENOMEM, "out of memory for the gaps of a %s", name_of(raw));
+              : aspi_fail(error, ASP_ENOMEM, "out of memory for the gaps of a %s",
+                          aspi_kind_of_rows(raw->rows));
 }
 
 /* ---- all of it ---- */
@@ -257,52 +254,53 @@ static double largest(const aspi_raw *raw) {
   return least <= most ? fmax(fabs(least), fabs(most)) : 0;
 }
 
-static asp_code check_lengths(const aspi_raw *raw, const char *path, asp_error *error) {
+static asp_code check_lengths(const aspi_raw *raw, asp_error *error) {
   double most = largest(raw);
   for (int k = 0; k < 1 + raw->is_map; k++)
     if (!(raw->step[k] >= SPACING_LEAST && raw->step[k] <= LENGTH_MOST && most <= LENGTH_MOST))
-      return aspi_fail(error, ASP_EDATA,
-                       "%.200s: heights up to %g m at a spacing of %g m are no surface; is the "
-                       "unit right?",
-                       path, most, raw->step[k]);
+      return aspi_file_fail(raw->path, 0, error,
+                            "heights up to %g m at a spacing of %g m are no surface; is the "
+                            "unit right?",
+                            most, raw->step[k]);
   if (raw->columns >= ASP_SIDE_LEAST && raw->points <= ASP_POINTS_MOST &&
       (!raw->is_map || raw->rows >= ASP_SIDE_LEAST))
     return ASP_OK;
-  return aspi_fail(error, ASP_EDATA,
-                   "%.200s: a %s of %zu x %zu points; its sides must have at least %d, and all "
-                   "together at most %zu",
-                   path, name_of(raw), raw->columns, raw->rows, ASP_SIDE_LEAST, ASP_POINTS_MOST);
+  return aspi_file_fail(raw->path, 0, error,
+                        "a %s of %zu x %zu points; its sides must have at least %d, and all "
+                        "together at most %zu",
+                        aspi_kind_of_rows(raw->rows), raw->columns, raw->rows, ASP_SIDE_LEAST,
+                        ASP_POINTS_MOST);
 }
 
 /* Takes the form out, and again where spikes were in it. */
-static asp_code level(aspi_raw *raw, const char *path, const aspi_profile_options *options,
+static asp_code level(aspi_raw *raw, const aspi_profile_options *options,
                       aspi_profile_report *report, asp_error *error) {
   bool mark = options->spikes > 0;
   size_t first = 0;
   aspi_steps steps = aspi_steps_find(raw);
-  asp_code code = take_out_form(raw, path, options->form, error);
+  asp_code code = take_out_form(raw, options->form, error);
   if (!code)
     code = find_spikes(raw, &steps, mark ? options->spikes : ASP_SPIKES_CLEAR, mark,
                        mark ? &report->spikes : &report->outliers, &first, error);
   aspi_warnings_write(&steps, report->outliers, report->warnings, sizeof report->warnings);
   if (code || report->spikes == 0 ||
-      (code = check_bad(raw, path, report->spikes, first, options->fill, error)))
+      (code = check_bad(raw, report->spikes, first, options->fill, error)))
     return code;
-  return take_out_form(raw, path, options->form, error);
+  return take_out_form(raw, options->form, error);
 }
 
-asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *options,
-                   aspi_profile_report *report, asp_error *error) {
+asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
+                   asp_error *error) {
   if (!raw->is_map) {
     raw->columns = raw->points;
     raw->rows = 1;
   }
-  asp_code code = check_lengths(raw, path, error);
+  asp_code code = check_lengths(raw, error);
   if (!code)
-    code = check_bad(raw, path, 0, 0, options->fill, error);
+    code = check_bad(raw, 0, 0, options->fill, error);
   double least, most, rounding = ASPI_ROUNDING_DOUBLE * largest(raw);
   if (!code)
-    code = level(raw, path, options, report, error);
+    code = level(raw, options, report, error);
   if (!code)
     code = fill_gaps(raw, report, error);
   if (!code && !raw->is_map)
@@ -312,6 +310,6 @@ asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *
   aspi_raw_range(raw, &least, &most);
   if (raw->points >= ASP_SIDE_LEAST && most - least > rounding)
     return ASP_OK;
-  return aspi_fail(error, ASP_EDATA, "%.200s: the %s is constant%s", path, name_of(raw),
-                   options->form > 0 ? " but for its form" : "");
+  return aspi_file_fail(raw->path, 0, error, "the %s is constant%s", aspi_kind_of_rows(raw->rows),
+                        options->form > 0 ? " but for its form" : "");
 }

@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/points.h"
 #include "base/error.h"
+#include "base/grow.h"
 #include "base/number.h"
 #include "base/tolerances.h"
 #include "surface/heights.h"
@@ -34,15 +35,10 @@
 #define GRID_PART (1 / 32.)
 
 asp_code aspi_points_add(aspi_points *p, aspi_point point, asp_error *error) {
-  if (p->count == p->room) {
-    size_t room = p->room ? p->room + p->room / 2 : 1024;
-    aspi_point *grown =
-        room <= SIZE_MAX / sizeof *grown ? realloc(p->list, room * sizeof *grown) : NULL;
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu points", p->count);
-    p->list = grown;
-    p->room = room;
-  }
+  aspi_point *grown = aspi_grow(p->list, p->count, sizeof *grown);
+  if (!grown)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu points", p->count);
+  p->list = grown;
   p->list[p->count++] = point;
   return ASP_OK;
 }
@@ -93,7 +89,7 @@ static double rounding(const aspi_points *p) {
 
 /* Makes x the distance from the first point, which grows or falls as the longer axis does. ratio:
  * of the units of y and x. */
-static asp_code measure_along(aspi_points *p, const char *path, double ratio, asp_error *error) {
+static asp_code measure_along(aspi_points *p, double ratio, const aspi_raw *raw, asp_error *error) {
   aspi_point first = p->list[0], last = p->list[p->count - 1];
   double dx = last.x - first.x, dy = ratio * (last.y - first.y), length = hypot(dx, dy), off = 0;
   double sign = (fabs(dy) > fabs(dx) ? dy : dx) < 0 ? -1 : 1;
@@ -104,37 +100,42 @@ static asp_code measure_along(aspi_points *p, const char *path, double ratio, as
   }
   if (off <= STRAIGHT)
     return ASP_OK;
-  return aspi_fail(
-      error, ASP_EDATA,
-      "%.200s: the points in X and Y scatter across a line by %.2g of its length: no "
-      "profile; a map is read as one, and x_column takes one column alone for positions",
-      path, off);
+  return aspi_file_fail(
+      raw->path, 0, error,
+      "the points in X and Y scatter across a line by %.2g of its length: no "
+      "profile; a map is read as one, and --x-column takes one column alone for positions",
+      off);
 }
 
-/* Turns falling positions round, and checks that all of them grow. */
-static asp_code put_in_order(aspi_points *p, const char *path, aspi_raw *raw, asp_error *error) {
+/* Turns falling positions round, and checks that all of them grow; the least and the largest of
+ * their steps. */
+static asp_code put_in_order(aspi_points *p, double steps[2], aspi_raw *raw, asp_error *error) {
   aspi_point *list = p->list;
-  size_t n = p->count;
+  size_t n = p->count, repeats = 0;
   double sign = n > 0 && list[n - 1].x < list[0].x ? -1 : 1;
-  raw->falls = sign < 0;
-  raw->step_least = INFINITY;
+  steps[0] = INFINITY;
+  steps[1] = 0;
   for (size_t i = 1; i < n; i++) {
     double step = sign * (list[i].x - list[i - 1].x);
     if (step < 0)
-      return aspi_fail(error, ASP_EDATA,
-                       "%.200s:%zu: position %.10g comes after %.10g; positions must all increase, "
-                       "or all decrease",
-                       path, list[i].line, list[i].x, list[i - 1].x);
-    raw->step_least = fmin(raw->step_least, step);
-    raw->step_most = fmax(raw->step_most, step);
-    raw->repeats += !(step > 0);
+      return aspi_file_fail(raw->path, list[i].line, error,
+                            "position %.10g comes after %.10g; positions must all increase, "
+                            "or all decrease",
+                            list[i].x, list[i - 1].x);
+    steps[0] = fmin(steps[0], step);
+    steps[1] = fmax(steps[1], step);
+    repeats += !(step > 0);
   }
-  if (n < ASP_SIDE_LEAST || !(raw->step_most > 0) || !isfinite(list[n - 1].x - list[0].x))
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: the file ends after %zu point%s, from %g to %g; a profile has at "
-                     "least 3 at increasing positions",
-                     path, n, n == 1 ? "" : "s", n ? list[0].x : 0, n ? list[n - 1].x : 0);
-  for (size_t i = 0, j = n - 1; raw->falls && i < j; i++, j--) {
+  if (n < ASP_SIDE_LEAST || !(steps[1] > 0) || !isfinite(list[n - 1].x - list[0].x))
+    return aspi_file_fail(raw->path, 0, error,
+                          "the file ends after %zu point%s, from %g to %g; a profile has at "
+                          "least 3 at increasing positions",
+                          n, n == 1 ? "" : "s", n ? list[0].x : 0, n ? list[n - 1].x : 0);
+  if (repeats > 0)
+    aspi_append(raw->text, sizeof raw->text, ", %zu repeated positions averaged", repeats);
+  if (sign < 0)
+    aspi_append(raw->text, sizeof raw->text, ", positions fall and are reversed");
+  for (size_t i = 0, j = n - 1; sign < 0 && i < j; i++, j--) {
     aspi_point other = list[i];
     list[i] = list[j];
     list[j] = other;
@@ -143,7 +144,7 @@ static asp_code put_in_order(aspi_points *p, const char *path, aspi_raw *raw, as
 }
 
 /* True if the positions are equally spaced but for rounding; *spacing by a least-squares line. */
-static bool is_even(const aspi_points *p, const aspi_raw *raw, double q, double *spacing) {
+static bool is_even(const aspi_points *p, const double steps[2], double q, double *spacing) {
   double n = (double)p->count, middle = (n - 1) / 2, mean = 0, product = 0, square = 0;
   for (size_t i = 0; i < p->count; i++)
     mean += p->list[i].x / n;
@@ -156,7 +157,7 @@ static bool is_even(const aspi_points *p, const aspi_raw *raw, double q, double 
   }
   *spacing = slope;
   return sqrt(square) <= 0.5 * q + UNEVEN_RMS * slope &&
-         fmax(raw->step_most - slope, slope - raw->step_least) <= q + UNEVEN_STEP * slope;
+         fmax(steps[1] - slope, slope - steps[0]) <= q + UNEVEN_STEP * slope;
 }
 
 /* Points at one position become one of their mean height. */
@@ -193,13 +194,8 @@ static asp_code interpolate(const aspi_points *p, double spacing, aspi_raw *raw,
   return code;
 }
 
-static asp_code resample(aspi_points *p, const char *path, bool allowed, aspi_raw *raw,
-                         asp_error *error) {
+static asp_code resample(aspi_points *p, aspi_raw *raw, asp_error *error) {
   double range = p->list[p->count - 1].x - p->list[0].x;
-  if (!allowed)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: the spacing is not equal: %g to %g in the file's unit", path,
-                     raw->step_least, raw->step_most);
   double *at = aspi_allocate(p->count);
   if (!at)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu points", p->count);
@@ -208,31 +204,33 @@ static asp_code resample(aspi_points *p, const char *path, bool allowed, aspi_ra
   raw->step[0] = usual_step(at, p->count);
   free(at);
   if (range / raw->step[0] > 2 * (double)p->count)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: more than half of the profile is gaps: %zu points over %g, most of "
-                     "them %g apart",
-                     path, p->count, range, raw->step[0]);
+    return aspi_file_fail(raw->path, 0, error,
+                          "more than half of the profile is gaps: %zu points over %g, most of "
+                          "them %g apart",
+                          p->count, range, raw->step[0]);
   merge_repeats(p);
   return interpolate(p, raw->step[0], raw, error);
 }
 
-asp_code aspi_points_line(aspi_points *p, const char *path, const double unit[2], bool in_plane,
-                          bool may_resample, aspi_raw *raw, asp_error *error) {
-  double q = p->count > 0 ? rounding(p) : 0;
-  asp_code code = in_plane ? measure_along(p, path, unit[1] / unit[0], error) : ASP_OK;
+asp_code aspi_points_line(aspi_points *p, const double unit[2], bool in_plane, aspi_raw *raw,
+                          asp_error *error) {
+  double q = p->count > 0 ? rounding(p) : 0, steps[2];
+  asp_code code = in_plane ? measure_along(p, unit[1] / unit[0], raw, error) : ASP_OK;
   if (!code)
-    code = put_in_order(p, path, raw, error);
+    code = put_in_order(p, steps, raw, error);
   if (code)
     return code;
   raw->read = p->count;
-  raw->resampled = !is_even(p, raw, q, &raw->step[0]);
-  if (raw->resampled)
-    code = resample(p, path, may_resample, raw, error);
-  for (size_t i = 0; i < p->count && !code && !raw->resampled; i++)
+  bool even = is_even(p, steps, q, &raw->step[0]);
+  if (!even)
+    code = resample(p, raw, error);
+  for (size_t i = 0; i < p->count && !code && even; i++)
     code = aspi_raw_add(raw, p->list[i].z, error);
   raw->step[0] *= unit[0];
-  raw->step_least *= unit[0];
-  raw->step_most *= unit[0];
+  if (!even)
+    aspi_append(raw->text, sizeof raw->text,
+                ", unequal spacing of %.4g to %.4g m resampled to %.4g m", steps[0] * unit[0],
+                steps[1] * unit[0], raw->step[0]);
   return code;
 }
 
@@ -273,19 +271,19 @@ static bool find_grid(const aspi_points *p, bool along_y, double *room, grid *g)
 }
 
 /* Room for the heights on the grid, which are all missing yet. */
-static asp_code make_room(size_t points, const char *path, aspi_raw *raw, asp_error *error) {
+static asp_code make_room(size_t points, aspi_raw *raw, asp_error *error) {
   if ((double)raw->columns * (double)raw->rows > 4 * (double)points + 1e4)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: its %zu points fill less than a quarter of their grid of %zu x %zu",
-                     path, points, raw->columns, raw->rows);
+    return aspi_file_fail(raw->path, 0, error,
+                          "its %zu points fill less than a quarter of their grid of %zu x %zu",
+                          points, raw->columns, raw->rows);
   asp_code code = ASP_OK;
   while (raw->points < raw->columns * raw->rows && !code)
     code = aspi_raw_add(raw, NAN, error);
   return code;
 }
 
-asp_code aspi_points_grid(const aspi_points *p, const char *path, const double unit[2],
-                          aspi_raw *raw, asp_error *error) {
+asp_code aspi_points_grid(const aspi_points *p, const double unit[2], aspi_raw *raw,
+                          asp_error *error) {
   grid g[2] = {{0}};
   double *room = aspi_allocate(p->count);
   if (!room)
@@ -295,22 +293,22 @@ asp_code aspi_points_grid(const aspi_points *p, const char *path, const double u
     found++;
   free(room);
   if (found < 2)
-    return aspi_fail(error, ASP_EDATA, "%.200s: the %s of its points are on no grid of equal steps",
-                     path, found ? "y" : "x");
+    return aspi_file_fail(raw->path, 0, error, "the %s of its points are on no grid of equal steps",
+                          found ? "y" : "x");
   raw->columns = g[0].count;
   raw->rows = g[1].count;
   raw->step[0] = g[0].step * unit[0];
   raw->step[1] = g[1].step * unit[1];
-  asp_code code = make_room(p->count, path, raw, error);
+  asp_code code = make_room(p->count, raw, error);
   for (size_t i = 0; i < p->count && !code; i++) {
     const aspi_point *at = &p->list[i];
     double u = (at->x - g[0].first) / g[0].step, v = (at->y - g[1].first) / g[1].step;
     double column = round(u), row = round(v);
     if (fabs(u - column) > OFF_GRID || fabs(v - row) > OFF_GRID)
-      return aspi_fail(error, ASP_EDATA,
-                       "%.200s:%zu: the point at x %g, y %g is off the grid of %g x %g that the "
-                       "others are on",
-                       path, at->line, at->x, at->y, g[0].step, g[1].step);
+      return aspi_file_fail(raw->path, at->line, error,
+                            "the point at x %g, y %g is off the grid of %g x %g that the "
+                            "others are on",
+                            at->x, at->y, g[0].step, g[1].step);
     raw->z[(size_t)row * raw->columns + (size_t)column] = at->z;
   }
   return code;

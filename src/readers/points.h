@@ -14,7 +14,7 @@ typedef struct aspi_point {
 
 typedef struct aspi_points {
   aspi_point *list; /* for the caller to free */
-  size_t count, room;
+  size_t count;
   int decimals, digits; /* the most that any position is written with */
 } aspi_points;
 
@@ -25,11 +25,11 @@ void aspi_points_precision(aspi_points *points, const char *written);
 
 /* Put the points at equal spacing on a line, or on their grid, into `raw`; unit: meters in one of x
  * and y. On a line in x and y (`in_plane`) a position is the distance from the first point. Heights
- * are those of the file where positions are equally spaced but for rounding, else between them,
- * which `resample` must allow. ASP_EDATA where there is no line or grid. */
-asp_code aspi_points_line(aspi_points *points, const char *path, const double unit[2],
-                          bool in_plane, bool resample, aspi_raw *raw, asp_error *error);
-asp_code aspi_points_grid(const aspi_points *points, const char *path, const double unit[2],
-                          aspi_raw *raw, asp_error *error);
+ * are those of the file where positions are equally spaced but for rounding, else between them.
+ * ASP_EDATA where there is no line or grid. */
+asp_code aspi_points_line(aspi_points *points, const double unit[2], bool in_plane, aspi_raw *raw,
+                          asp_error *error);
+asp_code aspi_points_grid(const aspi_points *points, const double unit[2], aspi_raw *raw,
+                          asp_error *error);
 
 #endif

@@ -3,22 +3,16 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
+#include "base/grow.h"
 
 #include <math.h>
-#include <stdlib.h>
-
-enum { ROOM_FIRST = 4096 };
 
 asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error) {
-  if (raw->points == raw->room) {
-    size_t room = raw->room ? raw->room + raw->room / 2 : ROOM_FIRST;
-    double *grown = room <= SIZE_MAX / sizeof *grown ? realloc(raw->z, room * sizeof *grown) : NULL;
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for a %s of over %zu points",
-                       raw->is_map ? "map" : "profile", raw->points);
-    raw->z = grown;
-    raw->room = room;
-  }
+  double *grown = aspi_grow(raw->z, raw->points, sizeof *grown);
+  if (!grown)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for a %s of over %zu points",
+                     raw->is_map ? "map" : "profile", raw->points);
+  raw->z = grown;
   raw->z[raw->points++] = height;
   return ASP_OK;
 }

@@ -13,7 +13,7 @@
 #include <string.h>
 
 aspi_profile_options aspi_profile_options_default(void) {
-  return (aspi_profile_options){.meter = 1, .form = 1, .resample = true, .row = 1, .missing = NAN};
+  return (aspi_profile_options){.meter = 1, .form = 1, .row = 1, .missing = NAN};
 }
 
 /* Adds what was read to what was mended. */
@@ -22,33 +22,14 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
   const aspi_filters *f = &options->filters;
   *r->text = '\0';
   if (raw->is_map)
-    aspi_append(r->text, sizeof r->text, "%zu x %zu", raw->columns, raw->rows);
-  else
-    aspi_append(r->text, sizeof r->text, "%zu", raw->read);
-  aspi_append(r->text, sizeof r->text, " points read, %zu bad", raw->bad);
+    aspi_append(r->text, sizeof r->text, "%zu x ", raw->columns);
+  aspi_append(r->text, sizeof r->text, "%zu points read, %zu bad%s",
+              raw->is_map ? raw->rows : raw->read, raw->bad, raw->text);
   if (r->spikes)
     aspi_append(r->text, sizeof r->text, ", %zu spikes", r->spikes);
   if (r->filled)
     aspi_append(r->text, sizeof r->text, ", %zu points filled in (longest gap %zu)", r->filled,
                 r->longest_gap);
-  if (raw->resampled)
-    aspi_append(r->text, sizeof r->text, ", unequal spacing of %.4g to %.4g m resampled to %.4g m",
-                raw->step_least, raw->step_most, raw->step[0]);
-  if (raw->second_column > 0)
-    aspi_append(r->text, sizeof r->text, ", distances in columns %d and %d, heights of column %d",
-                raw->column[0], raw->second_column, raw->column[1]);
-  else if (raw->column[0] > 0)
-    aspi_append(r->text, sizeof r->text, ", of columns %d and %d", raw->column[0], raw->column[1]);
-  else if (raw->column[1] > 0)
-    aspi_append(r->text, sizeof r->text, ", of column %d", raw->column[1]);
-  if (raw->were_depths)
-    aspi_append(r->text, sizeof r->text, ", depths turned into heights");
-  if (raw->repeats)
-    aspi_append(r->text, sizeof r->text, ", %zu repeated positions averaged", raw->repeats);
-  if (raw->falls)
-    aspi_append(r->text, sizeof r->text, ", positions fall and are reversed");
-  if (raw->end_line)
-    aspi_append(r->text, sizeof r->text, ", data end before line %zu", raw->end_line);
   if (f->tip > 0)
     aspi_append(r->text, sizeof r->text, ", tip %g m", f->tip);
   if (f->lambda_s > 0)
@@ -61,46 +42,28 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
     aspi_append(r->text, sizeof r->text, ", form left in");
 }
 
-/* Refuses the named options if they are given. */
-static asp_code refuse(const char *names, const char *why, const char *path,
-                       const aspi_profile_options *o, asp_error *error) {
-  const struct {
-    const char *name;
-    bool given;
-  } all[] = {{"tip", o->filters.tip > 0},
-             {"lambda_s", o->filters.lambda_s > 0},
-             {"cutoff", o->filters.cutoff > 0},
-             {"column", o->column > 0},
-             {"x_column", o->x_column != NULL},
-             {"z_column", o->z_column != NULL},
-             {"row", o->row != 1},
-             {"unit", o->unit_x > 0 || o->unit_z > 0},
-             {"step", o->step[0] > 0},
-             {"missing", !isnan(o->missing)}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (all[i].given && aspi_word_index(names, all[i].name, strlen(all[i].name), true) >= 0)
-      return aspi_fail(error, ASP_EARG, "%.200s: %s is given%s", path, all[i].name, why);
-  return ASP_OK;
-}
-
-static asp_code read_raw(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+static asp_code read_raw(aspi_text *text, const aspi_profile_options *o, aspi_raw *raw,
                          asp_error *error) {
   aspi_format format = ASP_FORMAT_TEXT;
   asp_code code = aspi_format_find(text, &format, error);
-  if (!code && raw->is_map)
-    code = refuse("tip lambda_s cutoff column x_column z_column row",
-                  ", which is for profiles, not for maps", text->path, options, error);
-  if (!code && format != ASP_FORMAT_TEXT)
-    code = refuse("unit step missing x_column z_column",
-                  "; SDF, SUR and X3P state their units, spacing and bad points", text->path,
-                  options, error);
-  else if (!code)
-    code = refuse("row", "; text in columns has no rows", text->path, options, error);
+  const char *stated = o->unit_x > 0        ? "unit"
+                       : o->step[0] > 0     ? "step"
+                       : !isnan(o->missing) ? "missing"
+                       : o->x_column        ? "x-column"
+                                            : NULL;
+  if (!code && format != ASP_FORMAT_TEXT && stated)
+    code =
+        aspi_fail(error, ASP_EARG,
+                  "%.200s: %s is given; SDF, SUR and X3P state their units, spacing and bad points",
+                  text->path, stated);
+  if (!code && format == ASP_FORMAT_TEXT && o->row != 1)
+    code =
+        aspi_fail(error, ASP_EARG, "%.200s: row is given; text in columns has no rows", text->path);
   if (code)
     return code;
-  return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, options, raw, error)
-         : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, options, raw, error)
-                                    : aspi_read_sdf(text, format, options, raw, error);
+  return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, o, raw, error)
+         : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, o, raw, error)
+                                    : aspi_read_sdf(text, format, o, raw, error);
 }
 
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
@@ -108,7 +71,7 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
                        asp_error *error) {
   aspi_profile_options defaults = aspi_profile_options_default();
   aspi_profile_report own;
-  aspi_raw raw = {.is_map = is_map};
+  aspi_raw raw = {.path = path, .is_map = is_map};
   options = options ? options : &defaults;
   report = report ? report : &own;
   *report = (aspi_profile_report){0};
@@ -122,7 +85,7 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
     raw.bad = aspi_raw_count_bad(&raw);
   }
   if (!code)
-    code = aspi_mend(&raw, path, options, report, error);
+    code = aspi_mend(&raw, options, report, error);
   aspi_text_close(&text);
   if (file != stream)
     fclose(file);
@@ -153,10 +116,4 @@ asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char 
   if (text)
     snprintf(text, size, "%s", report.text);
   return heights;
-}
-
-const char *asp_reader_advice(const char *message) {
-  return strstr(message, "reader: ")
-             ? "; the command 'asperity surface' does so, and saves the file"
-             : "";
 }

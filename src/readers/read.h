@@ -6,8 +6,8 @@
 
 #include "base/text.h"
 
-/* Largest number of columns that a text file may use, and the highest degree of a form. */
-enum { ASP_COLUMNS_MOST = 1024, ASP_FORM_MAX = 9 };
+/* The highest degree of a form. */
+enum { ASP_FORM_MAX = 9 };
 
 /* The filters of instruments. Lengths in m; 0: that one is left out. They work in this order. */
 typedef struct aspi_filters {
@@ -23,12 +23,11 @@ typedef struct aspi_profile_options {
   int form;              /* degree of the polynomial that is taken out as form, 0 to 9; -1: none */
   double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */
-  bool fill;     /* bad points and gaps are filled by straight lines; false: they are refused */
-  bool resample; /* unequal spacing is resampled by straight lines; false: it is refused */
-  int row;       /* of an SDF map, from 1 */
-  int column;    /* 0, or: of an SDF map, read that column instead; of a text file, the heights */
-  const char *x_column,
-      *z_column;  /* of a text file, by number from 1 or by name; NULL: by the header */
+  bool fill; /* bad points and gaps are filled by straight lines; false: they are refused */
+  int row;   /* of an SDF map, from 1 */
+  const char *column; /* NULL, or: of an SDF map, that column instead; of a text file, the heights,
+                         by number from 1 or by name */
+  const char *x_column; /* of a text file, the positions alike; NULL: by the header */
   double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
                      the columns and the rows of a matrix; 0: as the file states */
   double missing; /* the height that marks a missing one; NAN: there is none */
@@ -67,21 +66,15 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
 /* Heights as a file has them, row by row; a profile is one row. NAN where a height is bad or
  * missing. Memory grows with what is read, so that a header's counts alone allocate nothing. */
 typedef struct aspi_raw {
-  double *z; /* m */
+  const char *path; /* for messages */
+  double *z;        /* m */
   bool is_map;
-  size_t points, room, columns, rows;
+  size_t points, columns, rows;
   double step[2];   /* m, between columns and rows; of a profile the first alone */
   size_t read, bad; /* points in the file, and the bad ones of them */
   size_t bad_line;  /* where the first bad point or gap is; 0: not known */
-  bool resampled;
-  size_t repeats;               /* positions that repeat the one before */
-  bool falls;                   /* positions fall in the file */
-  bool were_depths;             /* the file has depths, turned into heights here */
-  int column[2];                /* of positions and heights, from 1, where there are others too */
-  int second_column;            /* of Y, where positions are distances in X and Y; else 0 */
-  size_t end_line;              /* where the data end before the file does; 0: nowhere */
-  double step_least, step_most; /* m */
-  char note[160];               /* numbers of the file that were not read, or "" */
+  char text[300];   /* how the file was read, as ", of column 2", or "" */
+  char note[160];   /* numbers of the file that were not read, or "" */
 } aspi_raw;
 
 /* Adds a height (m). */
@@ -123,8 +116,8 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profil
 
 /* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
  * into the report. */
-asp_code aspi_mend(aspi_raw *raw, const char *path, const aspi_profile_options *options,
-                   aspi_profile_report *report, asp_error *error);
+asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
+                   asp_error *error);
 
 /* Filters heights at equal spacing, in place. ASP_EARG where a length does not fit the profile. */
 asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,

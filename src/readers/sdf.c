@@ -10,46 +10,50 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "readers/read.h"
-#include "surface/heights.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 /* ---- header in ASCII ---- */
 
-/* The variable of a key; NULL for keys that do not matter here. */
-static double *place_of(aspi_sdf *h, const char *key) {
-  const struct {
-    const char *key;
-    double *place;
-  } keys[] = {{"NumPoints", &h->points}, {"NumProfiles", &h->profiles},
-              {"Xscale", &h->x_scale},   {"Yscale", &h->y_scale},
-              {"Zscale", &h->z_scale},   {"Compression", &h->compression}};
-  for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-    if (strcasecmp(keys[i].key, key) == 0)
-      return keys[i].place;
-  return NULL;
+/* The keys that matter, and the range of their numbers. */
+static const struct {
+  const char *key;
+  size_t place;
+  double least, most;
+  bool whole;
+} keys[] = {{"NumPoints", offsetof(aspi_sdf, points), 1, 1e12, true},
+            {"NumProfiles", offsetof(aspi_sdf, profiles), 1, 1e12, true},
+            {"Xscale", offsetof(aspi_sdf, x_scale), 1e-15, 1e9, false},
+            {"Yscale", offsetof(aspi_sdf, y_scale), 1e-15, 1e9, false},
+            {"Zscale", offsetof(aspi_sdf, z_scale), 1e-300, 1e300, false},
+            {"Compression", offsetof(aspi_sdf, compression), 0, 0, true}};
+enum { KEYS = sizeof keys / sizeof *keys, YSCALE = 3 };
+
+static double *place_of(const aspi_sdf *h, size_t key) {
+  return (double *)((char *)h + keys[key].place);
 }
 
 /* One line of the header; *ends at the star. */
 static asp_code read_key(aspi_text *text, aspi_sdf *h, bool *ends, asp_error *error) {
-  char *line = aspi_text_trim(text->text);
-  *ends = strcmp(line, "*") == 0;
-  if (*ends || !*line)
+  char *rest = text->text, *key = aspi_text_field(&rest, '='),
+       *value = aspi_text_field(&rest, '\0');
+  *ends = strcmp(key, "*") == 0;
+  if (*ends || (!*key && !value))
     return ASP_OK;
-  char *equals = strchr(line, '=');
-  if (!equals)
-    return aspi_text_fail(text, text->line, error,
+  if (!value)
+    return aspi_file_fail(text->path, text->line, error,
                           "'%.40s' where the header's `key = value` or its closing * is expected",
-                          line);
-  *equals = '\0';
-  char *key = aspi_text_trim(line), *value = aspi_text_trim(equals + 1);
-  double *place = place_of(h, key);
-  if (place && aspi_text_number(value, false, place) != ASP_WORD_NUMBER)
-    return aspi_text_fail(text, text->line, error, "%.40s is '%.40s'; a number is expected", key,
-                          value);
+                          key);
+  for (size_t i = 0; i < KEYS; i++)
+    if (strcasecmp(keys[i].key, key) == 0 &&
+        aspi_text_number(value, false, place_of(h, i)) != ASP_WORD_NUMBER)
+      return aspi_file_fail(text->path, text->line, error, "%.40s is '%.40s'; a number is expected",
+                            key, value);
   return ASP_OK;
 }
 
@@ -62,7 +66,7 @@ static asp_code read_text_header(aspi_text *text, aspi_sdf *h, asp_error *error)
       continue;
     }
     if (!code && !found)
-      code = aspi_text_fail(text, text->line, error, "the file ends within the SDF header");
+      code = aspi_file_fail(text->path, text->line, error, "the file ends within the SDF header");
     if (!code)
       code = read_key(text, h, &ends, error);
     if (code)
@@ -125,18 +129,18 @@ static double height_of(const unsigned char *bytes, int type) {
 }
 
 static asp_code cut_short(const aspi_text *text, const char *what, asp_error *error) {
-  return aspi_fail(error, ASP_EDATA, "%.200s: the file ends within its %s", text->path, what);
+  return aspi_file_fail(text->path, 0, error, "the file ends within its %s", what);
 }
 
 static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *error) {
   unsigned char head[96];
   size_t width = 2, at = 8 + 10 + 12 + 12;
-  if (aspi_text_bytes(text, head, 8) != 8)
+  if (fread(head, 1, 8, text->stream) != 8)
     return cut_short(text, "header", error);
   if (memcmp(head + 1, "ISO-2", 5) == 0)
     width = 4;
   size_t length = at + 2 * width + 4 * 8 + 3;
-  if (aspi_text_bytes(text, head + 8, length - 8) != length - 8)
+  if (fread(head + 8, 1, length - 8, text->stream) != length - 8)
     return cut_short(text, "header", error);
   const unsigned char *scales = head + at + 2 * width;
   *h = (aspi_sdf){.points = (double)whole(head + at, (int)width),
@@ -154,7 +158,8 @@ static asp_code read_binary_header(aspi_text *text, aspi_sdf *h, asp_error *erro
 static double unit_at(const unsigned char *bytes) {
   char name[17];
   snprintf(name, sizeof name, "%.16s", (const char *)bytes);
-  const char *unit = aspi_text_trim(name);
+  char *rest = name;
+  const char *unit = aspi_text_field(&rest, '\0');
   return aspi_unit_meters(unit, strlen(unit));
 }
 
@@ -162,7 +167,7 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
   enum { TYPE = 18, MISSING = 86, BITS = 98, LEAST = 100, COUNTS = 108, STEPS = 120, UNITS = 180 };
   enum { COMMENT = 334, HEAD = 512 };
   unsigned char head[HEAD];
-  if (aspi_text_bytes(text, head, sizeof head) != sizeof head)
+  if (fread(head, 1, sizeof head, text->stream) != sizeof head)
     return cut_short(text, "header", error);
   *h = (aspi_sdf){.points = (double)whole(head + COUNTS, 4),
                   .profiles = (double)whole(head + COUNTS + 4, 4),
@@ -173,12 +178,11 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
                           : whole(head + BITS, 2) == 16 ? 5
                                                         : -2,
                   .mark = whole(head + MISSING, 2) ? height_of(head + LEAST, 6) - 2 : NAN};
-  for (uint64_t skip = whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2); skip > 0; skip--)
-    aspi_text_bytes(text, head, 1);
+  fseek(text->stream, (long)(whole(head + COMMENT, 2) + whole(head + COMMENT + 2, 2)), SEEK_CUR);
   if (whole(head + TYPE, 2) > 2)
-    return aspi_fail(error, ASP_EDATA,
-                     "%.200s: a SUR file of type %d, which is neither a profile nor a surface",
-                     text->path, (int)whole(head + TYPE, 2));
+    return aspi_file_fail(text->path, 0, error,
+                          "a SUR file of type %d, which is neither a profile nor a surface",
+                          (int)whole(head + TYPE, 2));
   return ASP_OK;
 }
 
@@ -190,7 +194,7 @@ static asp_code read_height(aspi_text *text, const aspi_sdf *h, size_t index, do
   if (h->type >= 0) {
     unsigned char bytes[8];
     size_t size = (size_t)size_of[h->type];
-    if (aspi_text_bytes(text, bytes, size) != size)
+    if (fread(bytes, 1, size, text->stream) != size)
       return cut_short(text, "heights", error);
     *height = height_of(bytes, h->type);
     *height = fabs(*height - h->mark) <= 0 ? NAN : *height;
@@ -201,11 +205,12 @@ static asp_code read_height(aspi_text *text, const aspi_sdf *h, size_t index, do
   if (code)
     return code;
   if (!word || strcmp(word, "*") == 0)
-    return aspi_text_fail(text, text->line, error,
+    return aspi_file_fail(text->path, text->line, error,
                           "the heights end after %zu; NumPoints x NumProfiles is %.0f x %.0f",
                           index, h->points, h->profiles);
   if (aspi_text_number(word, false, height) == ASP_WORD_OTHER)
-    return aspi_text_fail(text, text->line, error, "'%.40s' where a height is expected", word);
+    return aspi_file_fail(text->path, text->line, error, "'%.40s' where a height is expected",
+                          word);
   return ASP_OK;
 }
 
@@ -214,7 +219,7 @@ static asp_code read_end(aspi_text *text, const aspi_sdf *h, asp_error *error) {
   char *word = NULL;
   asp_code code = h->type < 0 ? aspi_text_word(text, &word, error) : ASP_OK;
   if (!code && word && *word != '*')
-    code = aspi_text_fail(text, text->line, error,
+    code = aspi_file_fail(text->path, text->line, error,
                           "'%.40s' after the last of %.0f x %.0f heights, where a * is expected",
                           word, h->points, h->profiles);
   return code;
@@ -242,46 +247,35 @@ static asp_code read_heights(aspi_text *text, const aspi_sdf *h, size_t row_kept
 
 /* ---- both ---- */
 
-/* Checks the numbers of a header, in ASCII where type is -1. */
-static asp_code check(const aspi_text *text, const aspi_sdf *h, bool is_map, asp_error *error) {
-  const double least = is_map ? ASP_SIDE_LEAST : 1, most = 1e12;
-  const struct {
-    const char *key;
-    double value, least, most;
-    bool whole;
-  } all[] = {{"NumPoints", h->points, least, most, true},
-             {"NumProfiles", h->profiles, least, most, true},
-             {"Xscale", h->x_scale, 1e-15, 1e9, false},
-             {"Yscale", h->profiles > 1 ? h->y_scale : 1, 1e-15, 1e9, false},
-             {"Zscale", h->z_scale, 1e-300, 1e300, false},
-             {"Compression", h->compression, 0, 0, true},
-             {"DataType", h->type < 0 ? 0 : h->type, 0, TYPES - 1, true}};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    double value = all[i].value;
-    char what[120] = "";
-    if (value >= all[i].least && value <= all[i].most && !(all[i].whole && value > floor(value)))
+/* Checks the numbers of a header; a single profile needs no distance between profiles. */
+static asp_code check(const aspi_text *text, const aspi_sdf *h, asp_error *error) {
+  for (size_t i = 0; i < KEYS; i++) {
+    double value = *place_of(h, i), least = keys[i].least, most = keys[i].most;
+    bool fits = value >= least && value <= most && !(keys[i].whole && value > floor(value));
+    if (fits || (i == YSCALE && !(h->profiles > 1)))
       continue;
     if (isnan(value))
-      aspi_append(what, sizeof what, "the header ends without %s", all[i].key);
-    else
-      aspi_append(what, sizeof what, "%s is %g; it must be %g to %g%s", all[i].key, value,
-                  all[i].least, all[i].most, all[i].whole ? ", a whole number" : "");
-    return h->type < 0 ? aspi_text_fail(text, text->line, error, "%s", what)
-                       : aspi_fail(error, ASP_EDATA, "%.200s: %s", text->path, what);
+      return aspi_file_fail(text->path, text->line, error, "the header ends without %s",
+                            keys[i].key);
+    return aspi_file_fail(text->path, text->line, error, "%s is %g; it must be %g to %g%s",
+                          keys[i].key, value, least, most, keys[i].whole ? ", a whole number" : "");
   }
-  return ASP_OK;
+  if (h->type >= -1 && h->type < TYPES)
+    return ASP_OK;
+  return aspi_file_fail(text->path, text->line, error, "DataType is %d; it must be 0 to %d",
+                        h->type, TYPES - 1);
 }
 
 asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_options *options,
                         aspi_raw *raw, asp_error *error) {
-  asp_code code = check(text, h, raw->is_map, error);
+  asp_code code = check(text, h, error);
   if (code)
     return code;
-  bool by_column = options->column > 0;
-  int chosen = by_column ? options->column : options->row;
+  const char *by_column = options->column;
+  long chosen = by_column ? strtol(by_column, NULL, 10) : options->row;
   double most = by_column ? h->points : h->profiles;
-  if (chosen > most)
-    return aspi_text_fail(text, text->line, error, "%s %d is asked for; the map has %.0f",
+  if (chosen < 1 || (double)chosen > most)
+    return aspi_file_fail(text->path, text->line, error, "%s %ld is asked for; the map has %.0f",
                           by_column ? "column" : "row", chosen, most);
   raw->step[0] = by_column ? h->y_scale : h->x_scale;
   raw->step[1] = h->y_scale;
@@ -292,7 +286,6 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *h, const aspi_profile_o
   code = read_heights(text, h, by_column ? 0 : (size_t)chosen, by_column ? (size_t)chosen : 0, raw,
                       error);
   raw->read = raw->points;
-  raw->step_least = raw->step_most = raw->step[0];
   return code;
 }
 

@@ -1,5 +1,5 @@
-/* Doubts about measured heights; see read.h. And about how they are sampled: points per
- * particle, and the length in correlation lengths.
+/* Doubts about measured heights; see read.h: that they stand for missing ones, their steps and
+ * ends, and how they are sampled, in points per particle and correlation lengths.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
@@ -8,6 +8,53 @@
 
 #include <math.h>
 #include <stdbool.h>
+
+/* ---- heights that stand for missing ones ---- */
+
+/* Heights that instruments write where they have none. */
+static const double known[] = {999,   999.9, 9999,  9999.9, 99999, 999999,
+                               32767, 32768, 65535, 1e10,   1e30,  1e38};
+
+/* A mark is suspect where it lies this many times the range of all others outside of it. */
+#define OFF 10
+
+static bool is_known(double height) {
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (fabs(fabs(height) - known[i]) <= 1e-7 * known[i]) /* as single precision has it, too */
+      return true;
+  return false;
+}
+
+double aspi_missing_note(aspi_missing *m, double height, size_t line) {
+  if (!isfinite(height) || fabs(height - m->stated) <= ASPI_ROUNDING_TEXT * fabs(m->stated))
+    return NAN;
+  if (!is_known(height)) {
+    m->least = m->count ? fmin(m->least, height) : height;
+    m->most = m->count ? fmax(m->most, height) : height;
+    m->count++;
+  } else if (m->marks == 0 || fabs(height) > fabs(m->mark)) {
+    m->mark = height;
+    m->marks = 1;
+    m->line = line;
+  } else {
+    m->marks += fabs(height - m->mark) <= 0;
+  }
+  return height;
+}
+
+asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *error) {
+  double range = m->most - m->least;
+  bool off = m->mark < m->least - OFF * range || m->mark > m->most + OFF * range;
+  if (m->count == 0 || m->marks == 0 || !off)
+    return ASP_OK;
+  return aspi_file_fail(
+      path, m->line, error,
+      "height %.10g, %zu times, beside heights of %g to %g: does it stand "
+      "for a missing one? Say so (asperity surface --missing %.10g), or mend the file",
+      m->mark, m->marks, m->least, m->most, m->mark);
+}
+
+/* ---- steps and ends ---- */
 
 /* Heights have steps where they take no more values than this, each of them many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
@@ -83,7 +130,7 @@ void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_
   if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
     aspi_append(text, size,
                 "%zu of %zu points lie over %g robust standard deviations off their neighbors, as "
-                "dust does; take them out (reader: spikes 12, fill 1)",
+                "dust does; take them out (asperity surface --spikes 12 --gaps fill --save FILE)",
                 outliers, s->points, ASP_SPIKES_CLEAR);
   if (s->levels > 0)
     aspi_append(text, size,
@@ -107,7 +154,8 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
   if (!(length >= LENGTH_LEAST * lambda))
     aspi_append(doubt, sizeof doubt,
                 "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
-                "carry a large sampling error; if it is bowed, take the bow out (reader: form 2)",
+                "carry a large sampling error; if it is bowed, take the bow out (asperity surface "
+                "--form 2 --save FILE)",
                 *doubt ? "; " : "", length / lambda, LENGTH_LEAST);
   return *doubt ? aspi_fail(error, ASP_ERANGE, "%s", doubt) : ASP_OK;
 }

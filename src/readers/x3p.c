@@ -55,7 +55,7 @@ static void XMLCALL end_element(void *user, const char *name) {
               {"/ListDimension", &x->grid.points, NULL, 0},
               {"/PointDataLink", NULL, x->data, sizeof x->data},
               {"/ValidPointsLink", NULL, x->valid, sizeof x->valid}};
-  char *text = aspi_text_trim(x->text);
+  char *rest = x->text, *text = aspi_text_field(&rest, '\0');
   size_t end = strlen(x->at), own = strlen(name) + 1;
   for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
     size_t length = strlen(keys[i].at);
@@ -133,7 +133,7 @@ static asp_code read_data(x3p *x, zip_t *archive, const char *path,
   if (data)
     zip_fclose(data);
   if ((!data || !type) && !x->in_xml)
-    return aspi_fail(error, ASP_EDATA, "%.200s: an X3P without heights on a grid", path);
+    return aspi_file_fail(path, 0, error, "an X3P without heights on a grid");
   x->grid.type = x->in_xml ? -1 : numbers[type - types];
   if (*x->z_axis == 'A') /* absolute: the numbers are heights */
     x->grid.z_scale = 1;
@@ -162,14 +162,13 @@ asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, asp
   if (!x.heights || !archive)
     code = aspi_fail(error, ASP_EFILE, "%.200s: binary, a zip that cannot be opened", text->path);
   else if (!main)
-    code = aspi_fail(error, ASP_EDATA,
-                     "%.200s: binary, a zip that is no X3P; save a spreadsheet as CSV; the free "
-                     "program Gwyddion (gwyddion.net) opens that of an instrument, and saves it as "
-                     "text",
-                     text->path);
+    code = aspi_file_fail(
+        text->path, 0, error,
+        "binary, a zip that is no X3P; save a spreadsheet as CSV; the free "
+        "program Gwyddion (gwyddion.net) opens that of an instrument, and saves it as "
+        "text");
   else if (!parse(&x, main))
-    code =
-        aspi_fail(error, ASP_EDATA, "%.200s: the main.xml of this X3P cannot be read", text->path);
+    code = aspi_file_fail(text->path, 0, error, "the main.xml of this X3P cannot be read");
   else
     code = read_data(&x, archive, text->path, options, raw, error);
   if (main)
@@ -191,10 +190,9 @@ asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, asp
                        asp_error *error) {
   (void)options;
   (void)raw;
-  return aspi_fail(error, ASP_EDATA,
-                   "%.200s: binary, a zip; this build reads no X3P, as libzip and expat were not "
-                   "found (Debian: libzip-dev libexpat1-dev); save a spreadsheet as CSV",
-                   text->path);
+  return aspi_file_fail(text->path, 0, error,
+                        "binary, a zip; this build reads no X3P, as libzip and expat were not "
+                        "found (Debian: libzip-dev libexpat1-dev); save a spreadsheet as CSV");
 }
 
 #endif

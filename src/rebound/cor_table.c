@@ -6,6 +6,7 @@
 #include "rebound/cor_table.h"
 #include "base/table.h"
 #include "base/error.h"
+#include "base/grow.h"
 #include "base/monotone.h"
 
 #include <gsl/gsl_interp.h>
@@ -181,14 +182,12 @@ static aspi_cor_point *read_points(aspi_table *file, double meter_per_second, si
   asp_code code = at.angle < 0 || at.cor_n < 0 || at.cor_t < 0 ? ASP_EDATA : ASP_OK;
   bool found = !code;
   for (*count = 0; found && !code; (*count)++) {
-    if ((*count & (*count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
-      aspi_cor_point *grown = realloc(points, (*count ? 2 * *count : 1) * sizeof *points);
-      if (!grown) {
-        code = aspi_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
-        break;
-      }
-      points = grown;
+    aspi_cor_point *grown = aspi_grow(points, *count, sizeof *points);
+    if (!grown) {
+      code = aspi_fail(error, ASP_ENOMEM, "out of memory for a table of coefficients");
+      break;
     }
+    points = grown;
     code = aspi_table_row(file, &found, error);
     if (code || !found)
       break;

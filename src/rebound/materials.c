@@ -7,6 +7,7 @@
 #include "rebound/materials.h"
 #include "base/table.h"
 #include "base/error.h"
+#include "base/grow.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -129,12 +130,10 @@ static asp_code read_row(aspi_materials *own, const aspi_table *table, const int
   const char *name = table->fields[at[NAME]];
   if (!*name || strpbrk(name, " \t,;"))
     return aspi_table_fail(table, error, "the name '%s'; it must be one word without commas", name);
-  if ((count & (count - 1)) == 0) { /* full: 0, 1, 2, 4, 8, ... */
-    asp_material **grown = realloc(own->list, (count ? 2 * count : 1) * sizeof *grown);
-    if (!grown)
-      return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu materials", count);
-    own->list = grown;
-  }
+  asp_material **grown = aspi_grow(own->list, count, sizeof *grown);
+  if (!grown)
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu materials", count);
+  own->list = grown;
   asp_material *m = asp_material_create(name, error);
   if (!m)
     return ASP_ENOMEM;

@@ -274,15 +274,18 @@ asp_code aspi_heights_check(const asp_heights *h, const asp_heights_numbers *d, 
   bool is_map = h->rows > 1;
   double phi_r = d->s_q / d->lambda_1;
   if (d->lambda_1 < SPACINGS_LEAST * (is_map ? fmin(h->step[0], h->step[1]) : h->step[0]))
-    return aspi_fail(error, ASP_EDATA,
-                     "the %scorrelation length, %g, is less than %g spacings of the points: this "
-                     "is noise, or sampled too coarsely%s",
-                     is_map ? "shorter " : "", d->lambda_1, SPACINGS_LEAST,
-                     is_map ? "" : "; take short waves out (reader: lambda_s)");
+    return aspi_fail(
+        error, ASP_EDATA,
+        "the %scorrelation length, %g, is less than %g spacings of the points: this "
+        "is noise, or sampled too coarsely%s",
+        is_map ? "shorter " : "", d->lambda_1, SPACINGS_LEAST,
+        is_map
+            ? ""
+            : "; take short waves out (asperity surface --filter 'lambda_s LENGTH' --save FILE)");
   if (phi_r > PHI_R_MOST)
     return aspi_fail(error, ASP_EDATA,
                      "phi_r = %s is %g; over %g is no roughness: are the units of positions and "
-                     "heights right (reader: unit_x, unit_z)?",
+                     "heights right (asperity surface --unit um)?",
                      is_map ? "S_q/lambda_1" : "R_q/lambda_c", phi_r, PHI_R_MOST);
   return ASP_OK;
 }

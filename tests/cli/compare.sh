@@ -114,6 +114,9 @@ means() { "$asperity" compare alonemodel "$@" --near 90,90 2> err | rows /dev/st
 [ "$(means nameless --columns alpha1=1,cor_n=2,cor_t=3 --from normal)" = '30 0.840;30 0.720;' ] || die "compare --columns --from: $(cat err)"
 [ "$(means beads --columns cor_v_plane=e)" = '20 0.801;20 0.580;' ] || die "compare: a rebound angle and a ratio of speeds: $(means beads --columns cor_v_plane=e) $(cat err)"
 [ "$(means drop)" = '90 0.750;90 0.000;' ] || die "compare: normal speeds alone: $(means drop) $(cat err)"
+printf 'v1_m_s,v2_m_s\n2,1.5\n' > speeds
+refuses 2 "(a drop: --columns v1_n=1,v2_n=2)" -- compare alonemodel speeds
+[ "$(means speeds --columns v1_n=1,v2_n=2)" = '90 0.750;90 0.000;' ] || die "compare: a drop by --columns: $(cat err)"
 printf 'theta_i [deg],e_n\n60,0.84\n' > theta
 means theta > got; grep -q "'theta_i \[deg\]' are taken from the wall; --from normal" err || die "compare: no doubt of theta: $(cat err)"
 refuses 2 "also called impact_angle" "means are cor_n_mean" -- compare alonemodel nameless

@@ -107,9 +107,9 @@ tags = "<?xml version=\"1.0\"?>\n<DATA>\n<UNITS>um</UNITS>\n<NUMPOINTS>500</NUMP
 check("softgauge", "profile", table(tags, heights, end="</DATA_POINT_VALUES>\n</DATA>\n"))
 second = "</DATA_POINT_VALUES>\n<WAVINESS>0.1\n0.2\n0.4\n0.1\n</WAVINESS>\n"
 check("softgauge_two", "profile", table(tags, heights, end=second), warns="4 lines with numbers from line 507 on are left out")
-check("step_alone", "profile", table("", heights), ["--unit", "um", "--read", "step 0.5um"])
-check("count_above", "profile", table("500\n", heights), ["--unit", "um", "--read", "step 0.5um"])
-check("words_above", "profile", table("Length\n4.0\nPoints\n500\nHeights\n", heights), ["--unit", "um", "--read", "step 0.5um"])
+check("step_alone", "profile", table("", heights), ["--unit", "um", "--step", "0.5um"])
+check("count_above", "profile", table("500\n", heights), ["--unit", "um", "--step", "0.5um"])
+check("words_above", "profile", table("Length\n4.0\nPoints\n500\nHeights\n", heights), ["--unit", "um", "--step", "0.5um"])
 check("results_behind", "profile", table("x_um,z_um\n", plain, end="Ra,1.2\nRq,1.5\nend\n"), warns="2 lines with numbers from line 502 on are left out")
 holes = line.copy()
 holes[[77, 78, 301]] = np.nan
@@ -130,11 +130,11 @@ check("gwyddion_french", "map", comma(matrix("# Largeur: 96 Âµm\n# Hauteur: 80 Â
 spip = "# File Format = ASCII\r\n# x-pixels = 64\r\n# y-pixels = 40\r\n# x-length = 96000\r\n# y-length = 80000\r\n# z-unit = um\r\n# Start of Data:\r\n"
 check("spip", "map", matrix(spip))
 check("spip_short", "map", matrix(spip.replace("= 40", "= 41")), warns="the header states 41 rows, there are 40")
-check("nanoscope_text", "map", matrix("\\Exported image units: um\n", " "), ["--read", "step 1.5um,2um"])
+check("nanoscope_text", "map", matrix("\\Exported image units: um\n", " "), ["--step", "1.5um,2um"])
 phase = "h=40 w=64\npixel size=1.5e-006 m\ndata unit=rad\nheight conversion factor (-> m)=6.3e-008\n"
 check("phase", "map", matrix(phase, " "), z=plane * 0.063, step=(1.5, 1.5))
 check("esri", "map", matrix("ncols 64\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 1.5\n", " "), ["--unit", "um"], step=(1.5, 1.5))
-check("commas", "map", matrix("", ", "), ["--unit", "um", "--read", "step 1.5um,2um"])
+check("commas", "map", matrix("", ", "), ["--unit", "um", "--step", "1.5um,2um"])
 axes = "0," + ",".join("%.1f" % (1.5 * i) for i in range(n)) + "\n"
 check("axes", "map", axes + "".join("%.1f," % (2 * j) + ",".join("%.3f" % v for v in row) + "\n" for j, row in enumerate(plane)), ["--unit", "um"])
 points = [(1.5 * i, 2.0 * j, plane[j, i]) for j in range(m) for i in range(n)]
@@ -181,7 +181,7 @@ check("sur_16", "map", sur(plane, 16, 2, 0))
 refused("sur_missing", "map", sur(plane, 32, 2, 1), "1 of 2560 points are bad or missing")
 check("sur_missing_filled", "map", sur(plane, 32, 2, 1), ["--gaps", "fill"], near=1e-3)
 check("sur_profile", "profile", sur(line[None], 32, 1, 0), step=(1.5,))
-check("sur_row", "profile", sur(plane, 32, 2, 0), ["--read", "row 3"], z=plane[2], step=(1.5,))
+check("sur_row", "profile", sur(plane, 32, 2, 0), ["--row", "3"], z=plane[2], step=(1.5,))
 refused("sur_series", "map", sur(plane, 32, 5, 0), "neither a profile nor a surface")
 _, _, first = run("x3p", "map", x3p(plane * 1e-6), [])
 if "this build reads no X3P" not in first:

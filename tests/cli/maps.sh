@@ -23,9 +23,8 @@ awk -F, '/^[0-9]/ { if (!($3 > 4 && $3 < 6.5 && $4 > 14 && $4 < 28 && $5 > 23 &&
 "$asperity" surface surface map sdf --dp 2um,20um --plot map.svg > plot.out 2> err || die "surface --map --plot: $(cat err)"
 cmp <(sed 1,2d plot.out) <(sed 1,2d matrix.out) && grep -q 'rms contact slope' map.svg || die "surface --map --plot"
 grep -q '^# ISO 25178-2, unfiltered: S_q .* S_al .* S_tr ' matrix.out || die "surface --map: parameters"
-for columns in "x_column 1" "z_column 2"; do
-  refuses 2 "${columns% *} is given, which is for profiles" -- surface surface map sdf --dp 20um --read "$columns"
-  refuses 2 "${columns% *} is given, which is for profiles" -- surface surface map matrix --dp 20um --unit um --read "step 1um $columns"
+for option in "x-column 1" "column 2" "row 2" "filter x"; do
+  refuses 2 "${option% *} does not apply to 'surface map'" -- surface surface map sdf --dp 20um --$option
 done
 printf 'DSCOMPRESSED' > closed
 got=0; "$asperity" surface surface map closed 2> err || got=$?

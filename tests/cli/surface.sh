@@ -36,7 +36,7 @@ awk 'BEGIN { srand(1); for (i = 0; i < 3000; i++) { z = z * 0.95 + rand() - 0.5
 refuses 2 raw.txt:1 'no unit of length is stated' -- surface surface profile raw.txt
 refuses 2 raw.txt: 'bad or missing points' -- surface surface profile raw.txt --unit um
 "$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --form 2 --dp 20um > m 2> err
-grep -q '1 bad, 1 spikes, 6 points filled in (longest gap 4)' m || die "gaps: $(cat m)"
+grep -q ' 1 bad, unequal spacing .*, 1 spikes, 6 points filled in (longest gap 4)' m || die "gaps: $(cat m)"
 grep -q 'polynomial of degree 2' m || die "form"
 ! grep -q 'as dust does' err || die "dust that was taken out is told"
 # dust gives a warning without --spikes
@@ -45,8 +45,15 @@ grep -q 'phi_r 0.00' m || die "--unit um,nm"
 grep -q 'warning: raw.txt: 1 of 2995 points .* --spikes 12' err || die "dust is not told"
 printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-6\nZscale = 1e-6\n*\n' > map.sdf
 awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
-"$asperity" surface surface profile map.sdf --dp 4um --read 'row 7' 2>&1 | grep -q '200 points; ' || die "--row"
-"$asperity" surface surface profile map.sdf --dp 4um --read 'column 7' 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
+# The options that a message names read the file.
+awk 'BEGIN { srand(4); print "n,a,b"; for (i = 0; i < 900; i++) print i "," 0.5 * i "," (i == 70 ? -9999 : rand()) }' > lettered.csv
+refuses 2 "asperity surface --x-column 1 --column 2" -- surface surface profile lettered.csv --unit um
+sed 's/n,a,b/n,x_um,z_um/' lettered.csv > marked.csv
+refuses 2 "marked.csv:72: height -9999, 1 times, " "asperity surface --missing -9999" -- surface surface profile marked.csv
+"$asperity" surface surface profile lettered.csv --unit um --x-column a --column 3 --missing -9999 --gaps fill --filter 'lambda_s 9um' --dp 20um 2> err |
+  grep -q '900 points read, 1 bad, of columns 2 and 3, 1 points filled in' || die "--x-column --column --missing: $(cat err)"
+"$asperity" surface surface profile map.sdf --dp 4um --row 7 2>&1 | grep -q '200 points; ' || die "--row"
+"$asperity" surface surface profile map.sdf --dp 4um --column 7 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 400; i++) print i "," sin(i / 30) }'; } > short.csv
 "$asperity" surface surface profile short.csv > m 2> err
 grep -q 'short.csv: .*only .* correlation lengths long' err || die "a short profile is not said"
@@ -76,7 +83,7 @@ refuses 2 noise.csv 'spacings of the points' --filter -- surface surface profile
 refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
 
 refuses 2 map.sdf 'unit is given' SDF -- surface surface profile map.sdf --unit um
-refuses 2 'row is given' -- surface surface profile waves.csv --read 'row 2'
+refuses 2 'row is given' -- surface surface profile waves.csv --row 2
 refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
 "$asperity" surface surface map map.sdf --dp 12um 2> err > /dev/null
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"

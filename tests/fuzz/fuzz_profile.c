@@ -64,6 +64,7 @@ static asp_heights *read_map(FILE *stream, const aspi_profile_options *read, asp
   aspi_profile_report report = {0};
   aspi_profile_options options = *read;
   options.step[0] = read->column ? 1e-6 : 0;
+  options.column = NULL;
   rewind(stream);
   return aspi_read(stream, "fuzz", true, &options, &report, error);
 }
@@ -73,13 +74,12 @@ static aspi_profile_options options_of(uint8_t bits) {
   o.unit_x = o.unit_z = bits & 1 ? 1e-6 : 0;
   o.form = (bits >> 1 & 3) - 1;
   o.fill = bits & 8;
-  o.resample = bits & 16;
   o.spikes = bits & 32 ? 5 : 0;
   if (bits & 128) {
     o.spikes = 1e-5;
     o.form = ASP_FORM_MAX;
   }
-  o.column = bits & 64 ? 3 : 0;
+  o.column = bits & 64 ? "3" : NULL;
   return o;
 }
 

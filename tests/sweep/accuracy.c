@@ -69,7 +69,7 @@ static void judge_wall(aspi_judge_case subject, const double *angles, size_t n,
   for (int m = 0; m < 3; m++) {
     if (!(most[m] > 0))
       continue;
-    asp_wall *model = aspi_judge_wall(&subject, names[m], true, &error);
+    asp_wall *model = aspi_judge_wall(&subject, names[m], &error);
     must(model ? ASP_OK : error.code);
     for (size_t k = 0; k < n; k++) {
       char text[200];

@@ -151,8 +151,6 @@ static void columns_are_chosen_by_their_names(void **state) {
   }
   how.step[0] = 1e-6;
   refuse("map", "has the positions of its points");
-  how.filters.cutoff = 1e-4;
-  refuse("map", "cutoff is given, which is for profiles");
 }
 
 /* Decimal commas beside commas; the mark that is stated. */
@@ -286,7 +284,8 @@ static void form_and_spikes_are_taken_out(void **state) {
   asp_heights_free(read_map("map"));
   assert_non_null(strstr(report.warnings, "2 of 7680 points lie over 20"));
   how.spikes = 15;
-  refuse("map", "is the first of 2 spikes; fill the gaps (reader: fill 1)");
+  refuse("map",
+         "is the first of 2 spikes; fill the gaps (asperity surface --gaps fill --save FILE)");
   how.fill = 1;
   asp_heights *mended = read_map("map");
   for (size_t i = 0; i < ROWS * COLUMNS; i++)
@@ -385,8 +384,9 @@ static void bad_files_are_refused(void **state) {
       {"DSCOMPRESSED", "the free program Gwyddion"},
       {"PK\x03\x04", "binary, a zip that cannot be opened"},
       {"bISO-1.0 x", "ends within its header"},
-      {"aISO-1.0\nNumPoints = 2\nNumProfiles = 9\nXscale = 1\nYscale = 1\nZscale = 1\n*\n",
-       "NumPoints is 2; it must be 3"},
+      {"aISO-1.0\nNumPoints = 2\nNumProfiles = 3\nXscale = 1\nYscale = 1\nZscale = 1\n*\n"
+       "1 2 3 4 5 6\n*\n",
+       "its sides must have at least 3"},
       {"1 2 3 4\n5 6 7 8\n", "no unit of the heights"},
       {"# Value units: um\n1 2 3 4\n5 6 7\n", ":3: 3 fields, the first line of numbers has 4"},
       {"# Value units: um\n1 2 3 4\n5 6 7 x\n", ":3: '5 6 7 x' where numbers"},

@@ -249,7 +249,7 @@ static void units_that_must_be_asked_for(void **state) {
   expect("x_nm,z_nm\n0,1\n1,2\n2,4\n", &o, 3, 1e-3, 4e-6);
   o.meter = 1e6;
   expect("0,1\n1,2\n2,4\n", &o, 3, 1e3, 4);
-  o.column = 3;
+  o.column = "3";
   expect("x,a,z\n0,1,7\n1,2,8\n2,4,9\n", &o, 3, 1e3, 9);
 }
 
@@ -342,13 +342,10 @@ static void columns_far_to_the_right(void **state) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   o.unit_x = o.unit_z = 1e-6;
-  o.column = 81;
+  o.column = "81";
   expect(text, &o, 4, 1e-6, 4e-6);
-  o.column = 101;
-  expect_error(text, &o, ASP_EDATA, "column 101 is asked for; the file has 100 columns");
-  o.column = 0;
-  o.z_column = "81";
-  expect(text, &o, 4, 1e-6, 4e-6);
+  o.column = "101";
+  expect_error(text, &o, ASP_EDATA, "column '101' is asked for; none of the 100 columns has that");
 }
 
 /* Columns by their header: counters and times are no positions, whatever their place. */
@@ -389,17 +386,17 @@ static void columns_are_chosen_by_their_header(void **state) {
   expect_error("1,7\n2,8\n3,9\n", &o, ASP_EDATA, "2 columns under 0 names");
   expect_error("time [s],angle [deg],n\n1,7,1\n2,8,2\n", &o, ASP_EDATA, "no column is named");
   o.step[0] = o.unit_x = o.unit_z = 0;
-  o.x_column = o.z_column = "1";
+  o.x_column = o.column = "1";
   expect_error("x [um],z [um]\n0,9\n2,9\n4,9\n", &o, ASP_EDATA, "as positions and as heights");
   o.x_column = "b";
-  o.z_column = "1";
+  o.column = "1";
   expect("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, 3, 2e-6, 4e-6);
   o.x_column = "c";
   expect_error("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, ASP_EDATA,
                "none of the 3 columns has that name");
   o.x_column = "4";
   expect_error("a [um],b [um],z [um]\n1,0,9\n2,2,9\n4,4,9\n", &o, ASP_EDATA,
-               "the file has 3 columns");
+               "none of the 3 columns has that");
 }
 
 /* What instruments and spreadsheets write, and what their numbers may look like. */
@@ -464,10 +461,10 @@ static void depths_become_heights(void **state) {
   expect("x_um,depth_um,height_um\n0,1,1\n1,2,2\n2,9,4\n", NULL, 3, 1e-6, -9e-6);
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
-  o.z_column = "height";
+  o.column = "height";
   expect("x_um,depth_um,height_um\n0,9,1\n1,9,2\n2,9,4\n", &o, 3, 1e-6, 4e-6);
   assert_null(strstr(report.text, "depths"));
-  o.z_column = "2";
+  o.column = "2";
   o.fill = true;
   o.missing = 7;
   expect("x_um,depth_um,height_um\n0,1,1\n1,7,2\n2,3,4\n", &o, 3, 1e-6, -3e-6);
@@ -489,7 +486,7 @@ static void suspicious_numbers_are_refused(void **state) {
                ":2: 4 columns under 2 names (or are there decimal commas?");
   expect_error("x_um,z_um\n0,5\n0,5,1,25\n1,1,25\n", NULL, ASP_EDATA, ":3: 4 fields, the first");
   o.x_column = "1";
-  o.z_column = "4";
+  o.column = "4";
   expect("x_um,b,c,z_um\n0,500,1,234\n1,750,1,334\n2,000,1,224\n", &o, 3, 1e-6, 224e-6);
 }
 
@@ -553,7 +550,7 @@ static void missing_rows_are_a_gap(void **state) {
   assert_non_null(strstr(report.text, "resampled"));
 }
 
-static void unequal_spacing_is_resampled_or_refused(void **state) {
+static void unequal_spacing_is_resampled(void **state) {
   (void)state;
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
@@ -561,8 +558,6 @@ static void unequal_spacing_is_resampled_or_refused(void **state) {
   expect(text, &o, 6, 1, 4);
   assert_non_null(strstr(report.text, "resampled"));
   assert_non_null(strstr(report.text, "resampled to 1 m"));
-  o.resample = false;
-  expect_error(text, &o, ASP_EDATA, "the spacing is not equal");
 }
 
 static void spikes_are_marked_where_asked(void **state) {
@@ -576,7 +571,8 @@ static void spikes_are_marked_where_asked(void **state) {
   asp_heights_free(p);
   o.spikes = 10;
   expect_error(text, &o, ASP_EDATA,
-               "point 78 is the first of 1 spikes; fill the gaps (reader: fill 1)");
+               "point 78 is the first of 1 spikes; fill the gaps (asperity surface --gaps fill "
+               "--save FILE)");
   o.fill = true;
   p = read_text(text, &o);
   assert_near(p->z[77], sin(77 * 0.2) * 1e-6, 0.2e-6);
@@ -678,11 +674,11 @@ static void sections_of_a_map(void **state) {
   expect(map, &o, 4, 2e-6, 4e-6);
   o.row = 3;
   expect(map, &o, 4, 2e-6, 400e-6);
-  o.column = 4;
+  o.column = "4";
   expect(map, &o, 3, 3e-6, 300e-6);
-  o.column = 5;
+  o.column = "5";
   expect_error(map, &o, ASP_EDATA, "column 5 is asked for; the map has 4");
-  o.column = 0;
+  o.column = NULL;
   o.row = 4;
   expect_error(map, &o, ASP_EDATA, "row 4 is asked for; the map has 3");
   o.row = 1;
@@ -757,7 +753,7 @@ int main(void) {
       cmocka_unit_test(form_is_taken_out),
       cmocka_unit_test(gaps_are_refused_or_filled),
       cmocka_unit_test(missing_rows_are_a_gap),
-      cmocka_unit_test(unequal_spacing_is_resampled_or_refused),
+      cmocka_unit_test(unequal_spacing_is_resampled),
       cmocka_unit_test(spikes_are_marked_where_asked),
       cmocka_unit_test(warnings_have_their_names),
       cmocka_unit_test(more_spikes_than_points_are_refused),

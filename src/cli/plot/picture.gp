@@ -9,7 +9,7 @@ ending = picture[strlen(picture) - 2:*]
 if (ending eq 'svg') { set term svg noenhanced size width,height font 'sans,14' background 'white' }
 if (ending eq 'pdf') { set term pdfcairo noenhanced size width / 96.,height / 96. font 'sans,11' }
 if (ending eq 'png') { set term pngcairo noenhanced size width,height font 'sans,11' }
-set output picture
+if (picture[1:1] ne '-') { set output picture } # else to standard output, as -.png
 set datafile separator ','
 set datafile missing NaN # a line goes on over rows of others
 # The title in lines that fit; `top` is the upper edge of the panels, below the title, the legend and a caption.
