@@ -11,7 +11,7 @@ script() { # DATA MOTION LINES
   boundary='m m f' flying $1
   echo "fix plate all mesh/surface file plate.stl type 2
 fix push all move/mesh mesh plate $2
-fix low all wall/rebound mesh n_meshes 1 meshes plate surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4 ledger 60 file \${out}
+fix low all wall/rebound mesh n_meshes 1 meshes plate surface rq 10e-6 lambda_c 90e-6 rebound bons yield_stress 2e8 scatter 0.3 deposit freeze seed 4 ledger 60 file \${out}
 fix high all wall/rebound primitive type 2 zplane 3.8e-4 surface rq 10e-6 lambda_c 90e-6 rebound constant 0.9 0.9 seed 4
 thermo_style custom step f_low[1] f_low[2] f_low[3] f_low[4] f_high[1]
 thermo 1000
