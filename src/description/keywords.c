@@ -130,7 +130,7 @@ const aspi_keyword aspi_keywords[] = {
      NUMBER("density", choice.flow.density), POSITIVE, .needed = true},
     {"remove", "gas_viscosity", "NU", "", "kinematic viscosity of the gas",
      NUMBER("length2/time", choice.flow.viscosity), POSITIVE, .needed = true},
-    {"adhesion", "adhesion_spread", "S", "by the size",
+    {"adhesion", "adhesion_spread", "S", "1",
      "geometric standard deviation of the share; each grain has its own",
      NUMBER("", choice.flow.spread), FROM(1, INFINITY)},
     {.name = NULL},

@@ -12,8 +12,8 @@ typedef struct aspi_flow {
   double u_tau;            /* friction velocity; 0: that of the particle counts alone */
   double density;          /* of the gas */
   double viscosity;        /* of the gas, kinematic */
-  double adhesion, spread; /* median and geometric sd of the share of smooth contact; 0: by size,
-                              and all of it at the arrival */
+  double adhesion, spread; /* median and geometric sd of the share of smooth contact; median 0:
+                              both by the size, and all of it at the arrival */
   double micron;           /* in the units of the lengths */
 } aspi_flow;
 
