@@ -55,7 +55,7 @@ says() {
   local word script=$1; grep -a "$2" "$1.screen" > warning || { grep -a WARNING "$1.screen"; die "no '$2'"; }; shift 2
   for word; do grep -qF -- "$word" warning || { cat warning; die "'$word' is not in the warning of $script"; }; done
 }
-sed 's/bons deposit freeze seed 4/bons yield_rate 3e6 deposit delete seed 5/; s/^fix high all/fix new all/; s/f_high/f_new/; s/^run 900/thermo_modify lost ignore\nrun 1/' rest.in > other.in
+sed 's/yield_stress 2e8 scatter 0.3 deposit freeze seed 4/yield_rate 3e6 deposit delete seed 5/; s/^fix high all/fix new all/; s/f_high/f_new/; s/^run 900/thermo_modify lost ignore\nrun 1/' rest.in > other.in
 engine 2 other.in -var out other.csv
 says other.in 'WARNING.*id low' "the script is taken" "seed 5, was 4" "deposit delete, was freeze" "rebound bons yield_rate 3000000, was bons"
 says other.in 'WARNING.*id new' 'no data of this wall'
