@@ -16,8 +16,8 @@ END {
     rms["kharaz_2001,walton"], rms["kharaz_2001,walton_compliance"], rms["kharaz_2001,bons"], rms["kharaz_2001,bons_fitted"]
   printf "  rms difference from the experiment of Kharaz et al.: spin %.0f rad/s, contact angle %.1f degrees by walton; %.0f rad/s, %.1f degrees with compliance 0.7\n",
     off["experiment,spin,walton"], off["experiment,contact_angle_deg,walton"], off["experiment,spin,walton_compliance"], off["experiment,contact_angle_deg,walton_compliance"]
-  printf "  LaMarche et al.: Kolmogorov-Smirnov distance of a smooth wall %s, of a rough one with sigma %.1f degrees %s, of eccentric beads %s\n",
-    distance["smooth"], value["lamarche,sigma"], distance["rough"], distance["lever"]
+  printf "  LaMarche et al.: Kolmogorov-Smirnov distance of a smooth wall %s, of a rough one with sigma %.1f degrees %s, of eccentric beads %s, of yield stresses that scatter by %.3f %s\n",
+    distance["smooth"], value["lamarche,sigma"], distance["rough"], distance["lever"], value["lamarche_scatter,scatter"], distance["scatter"]
   printf "  grains on a bed: rms difference of walton 0.7 %s, with sigma %.0f degrees and e %.2f fitted %s, of grant_tabakoff %s\n",
     rms["grain_bed,walton"], value["bed,sigma"], value["bed,e"], rms["grain_bed,walton_rough"], rms["grain_bed,grant_tabakoff"]
 }

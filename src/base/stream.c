@@ -25,6 +25,12 @@ aspi_stream aspi_stream_begin(const asp_key *key) {
   return stream;
 }
 
+double aspi_stream_own(const asp_key *key, aspi_own of) {
+  aspi_stream stream =
+      aspi_stream_begin(&(asp_key){key->seed, asp_key_wall("grain"), key->tag, (uint32_t)of});
+  return aspi_stream_normal(&stream);
+}
+
 /* From the upper 53 bits of two words, and half a step, so that 0 and 1 cannot come out. Above 0.5
  * the half is rounded to an even number of steps, and the steps are twice as wide. */
 static double uniform_of(uint32_t high, uint32_t low) {

@@ -39,10 +39,11 @@ static aspi_unknown unknown_of(const cli_description *wall, const char *name) {
   const aspi_keyword *k = aspi_keywords;
   while (!p && !(k->may_fit && strcmp(k->name, name) == 0))
     k++;
+  bool is_surface = !p && strcmp(k->within, "surface") == 0;
   aspi_unknown u = {.name = name,
-                    .kind = p            ? OF_LAW
-                            : *k->within ? OF_SURFACE
-                                         : OF_PAIR,
+                    .kind = p || (*k->within && !is_surface) ? OF_LAW
+                            : is_surface                     ? OF_SURFACE
+                                                             : OF_PAIR,
                     .least = p ? p->least : k->least,
                     .most = p ? p->most : k->most};
   u.bounded = p && u.most - u.least <= 10;
@@ -280,7 +281,8 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
   asp_description *words = c->words = description->words;
   c->pair = description->pair;
   c->density = description->density;
-  c->smooth = strcmp(asp_description_word(words, "surface"), "smooth") == 0;
+  c->smooth = strcmp(asp_description_word(words, "surface"), "smooth") == 0 &&
+              !(words->choice.scatter > 0) && !(words->choice.lever > 0);
   c->sticks =
       asp_rebound_needs_pair(asp_description_rebound(words)) && words->deposit != ASPI_DEPOSIT_OFF;
   c->seed = (uint32_t)asp_description_get(words, "seed");
@@ -350,7 +352,8 @@ static const char detail[] =
     "friction fit materials quartz al-2024': sigma, or rq and lambda_c; friction,\n"
     "surface_energy, yield_stress; those of the law. `fit=VALUE` begins the search at VALUE; rq, "
     "lambda_c and numbers\n"
-    "whose default is 0 need it.\n" SCATTER_FORMS "\n"
+    "whose default is 0 need it. Also scatter, of the yield stress, and lever: beside sigma\n"
+    "the sd at steep angles tells them.\n" SCATTER_FORMS "\n"
     "The output has the rows parameter,estimate,standard_error,low_95,high_95,unit; then,\n"
     "as comments, correlations, chi^2 per degree of freedom, and the description with the\n"
     "estimates in it, for a script or another command. A warning names constants that the\n"

@@ -37,6 +37,10 @@ static asp_code check_effects(const asp_description *d, asp_error *error) {
       {"temperature", !is_hot, "soften: the yield stress falls above ", degrees, ""},
       {"yield_stress", !law->needs_pair, "rebound ", law->name, no_pair},
       {"yield_stress", asp_description_get(d, "yield_rate") > 0, "yield_rate", "", ""},
+      {"scatter", asp_description_get(d, "yield_rate") <= 0 && !aspi_is_given(d, "yield_stress"),
+       "yield_rate 0", "", ""},
+      {"adhesion", !law->needs_pair, "rebound ", law->name, no_pair},
+      {"adhesion", d->deposit == ASPI_DEPOSIT_OFF, "deposit off", "", ""},
       {"remove", d->deposit != ASPI_FREEZE, "deposit ", asp_description_word(d, "deposit"), ""},
       {"remove", !law->needs_pair, "rebound ", law->name, no_pair}};
   for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)

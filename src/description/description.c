@@ -47,8 +47,7 @@ void asp_description_free(asp_description *d) {
   free(d);
 }
 
-/* The keyword's bit in `given`. */
-static uint64_t bit_of(const aspi_keyword *k) {
+uint64_t aspi_keyword_bit(const aspi_keyword *k) {
   return (uint64_t)1 << (k - aspi_keywords);
 }
 
@@ -62,8 +61,8 @@ bool aspi_is_given(const asp_description *d, const char *name) {
 
 const char *aspi_given_of(const asp_description *d, const char *list, int nth) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++)
-    if (d->given & bit_of(k) && aspi_word_index(list, k->name, strlen(k->name), true) >= 0 &&
-        nth-- == 0)
+    if (d->given & aspi_keyword_bit(k) &&
+        aspi_word_index(list, k->name, strlen(k->name), true) >= 0 && nth-- == 0)
       return k->name;
   return NULL;
 }
@@ -74,8 +73,8 @@ bool asp_description_is_given(const asp_description *d, const char *keyword) {
 
 void aspi_set_given(asp_description *d, const char *name) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++)
-    if (strcmp(k->name, name) == 0)
-      d->given |= bit_of(k);
+    if (strcmp(k->name, name) == 0 && !aspi_is_given(d, name))
+      d->given |= aspi_keyword_bit(k);
 }
 
 void asp_description_default_plane(asp_description *d) {

@@ -94,6 +94,9 @@ extern const aspi_keyword aspi_keywords[];
 /* The keyword of that name that begins a clause; NULL: there is none. */
 const aspi_keyword *aspi_keyword_find(const char *name);
 
+/* The keyword's bit in `given`. */
+uint64_t aspi_keyword_bit(const aspi_keyword *keyword);
+
 /* Adds the words within one to a list, with blanks between. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 

@@ -96,6 +96,11 @@ double asp_description_capture_speed(const asp_description *d, const asp_particl
   if (!d->choice.law->needs_pair || !particle->pair || !(unit > 0) || !(particle->d_p > 0) ||
       !(particle->density > 0) || d->deposit == ASPI_DEPOSIT_OFF)
     return 0;
+  asp_pair pair = *particle->pair;
+  asp_particle held = *particle;
+  held.pair = &pair;
+  pair.surface_energy *= d->choice.flow.adhesion > 0 ? d->choice.flow.adhesion : 1;
+  particle = &held;
   double low = SPEED_LEAST * unit, step = pow(SPEED_MOST / SPEED_LEAST, 1 / (SPEEDS - 1.0));
   if (!sticks_at(d, particle, low))
     return 0;
@@ -189,6 +194,20 @@ static void holds_nothing(const asp_question *q, char *text, size_t size) {
         in_si(q, d_p, "length").text);
 }
 
+/* More than half of what sticks, of the largest particles, with the median of their adhesion. */
+static void blows_off(const asp_question *q, char *text, size_t size) {
+  const aspi_flow *flow = &q->words->choice.flow;
+  const double d_p = q->largest->d_p, share = aspi_flow_adhesion(flow, d_p);
+  if (q->largest->pair && share > 0 && asp_description_capture_speed(q->words, q->largest) > 0 &&
+      aspi_flow_rate(flow, q->largest, share) * q->words->units.second > log(2))
+    aspi_append(text, size,
+                "within a second the flow of 'remove' takes away more than half of the particles "
+                "of diameter %s that stick: they arrive with %s adhesion of a smooth contact, and "
+                "are held by %.3g of it; 'adhesion F' is for both",
+                in_si(q, d_p, "length").text, flow->adhesion > 0 ? "a share of the" : "all of the",
+                share);
+}
+
 /* ---- the wall that was made ---- */
 
 static void has_odd_heights(const asp_question *q, char *text, size_t size) {
@@ -227,9 +246,9 @@ static void draws_from_gaussian(const asp_question *q, char *text, size_t size) 
 
 bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
   static ask *const doubts[] = {
-      is_high,           is_soft,       has_no_sampling, has_odd_heights,
-      is_coarse,         holds_nothing, is_rough_twice,  draws_from_gaussian,
-      has_other_density, yields_never,  sticks_always,   has_other_sizes};
+      is_high,       is_soft,       has_no_sampling, has_odd_heights,     is_coarse,
+      holds_nothing, blows_off,     is_rough_twice,  draws_from_gaussian, has_other_density,
+      yields_never,  sticks_always, has_other_sizes};
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;

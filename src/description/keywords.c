@@ -17,6 +17,8 @@
 #define NUMBER(UNIT, MEMBER) .unit = UNIT, .number = AT(MEMBER)
 #define FROM(LEAST, MOST) .least = LEAST, .most = MOST
 #define POSITIVE .most = INFINITY, .above = true
+#define SCATTER                                                                                    \
+  NUMBER("", choice.scatter), FROM(0, 2), .above = true, .may_fit = true, .fallback = 0.1
 #define SETS(MEMBER, VALUE) .flag = AT(MEMBER), .sets = VALUE
 
 /* Within what, name, values, default, meaning. */
@@ -39,6 +41,10 @@ const aspi_keyword aspi_keywords[] = {
     {"", "surface_energy", "G", "0.8 J/m2",
      "surface energy of all pairs of materials, half of their work of adhesion",
      NUMBER("energy/area", surface_energy), FROM(0, INFINITY), .may_fit = true, .fallback = NAN},
+    {"", "adhesion", "F", "1; for 'remove' by the size",
+     "median of the share of a smooth contact's adhesion with which grains stick, and with which "
+     "they are held against a flow",
+     NUMBER("", choice.flow.adhesion), FROM(0, 1), .above = true, .in_si = true},
     {"", "yield_stress", "Y", "the material's", "yield stress of all particles",
      NUMBER("stress", yield_stress), FROM(0, INFINITY), .may_fit = true, .fallback = NAN},
     {"", "deposit", "freeze | delete | off", "freeze",
@@ -104,13 +110,17 @@ const aspi_keyword aspi_keywords[] = {
      "an equivalent sphere whose center of mass is off by N(0, S d_p) per axis, drawn anew "
      "at each impact",
      .after = "", NUMBER("", choice.lever), FROM(0, 0.5), .above = true, .may_fit = true,
-     .fallback = NAN},
+     .fallback = 0.05},
+    {"yield_stress", "scatter", "S", "0",
+     "sd of the logarithm of the yield stress, which each grain has of its own; its median is the "
+     "one given; also behind 'yield_rate'",
+     SCATTER},
+    {"rebound", "scatter", "S", "0", NULL, .after = "yield_rate", SCATTER},
     {"rebound", "scatter_twice", "", "no", "allow the law's own scatter on a rough wall",
      SETS(choice.scatter_twice, true)},
     {"materials", "file", "FILE", "", "materials of your own, as `asperity materials` prints them",
      .string = AT(materials_file)},
-    {"deposit", "remove",
-     "[u_tau U] gas_density RHO gas_viscosity NU [adhesion MEDIAN] [adhesion_spread S]", "no",
+    {"deposit", "remove", "[u_tau U] gas_density RHO gas_viscosity NU", "no",
      "a flow along the wall takes away what freezes, at the rate of Reeks & Hall 2001",
      .in_si = true},
     {"remove", "u_tau", "U", "",
@@ -120,12 +130,9 @@ const aspi_keyword aspi_keywords[] = {
      NUMBER("density", choice.flow.density), POSITIVE, .needed = true},
     {"remove", "gas_viscosity", "NU", "", "kinematic viscosity of the gas",
      NUMBER("length2/time", choice.flow.viscosity), POSITIVE, .needed = true},
-    {"remove", "adhesion", "MEDIAN", "by the size",
-     "median of adhesion over that of a smooth contact", NUMBER("", choice.flow.adhesion),
-     FROM(0, 1), .above = true},
-    {"remove", "adhesion_spread", "S", "by the size",
-     "geometric standard deviation of the adhesion", NUMBER("", choice.flow.spread),
-     FROM(1, INFINITY)},
+    {"adhesion", "adhesion_spread", "S", "1",
+     "geometric standard deviation of the share; each grain has its own",
+     NUMBER("", choice.flow.spread), FROM(1, INFINITY)},
     {.name = NULL},
 };
 

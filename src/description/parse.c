@@ -8,7 +8,7 @@
 
 /* True if the keyword may be the next word; `first`: that is the first one behind its keyword. */
 static bool may_be_next(const aspi_words *r, const aspi_keyword *k, bool first) {
-  return !k->after || (*k->after ? aspi_given_of(r->d, k->after, 0) != NULL : first);
+  return !k->after || (*k->after ? aspi_is_given(r->d, k->after) : first);
 }
 
 /* The keyword within one that comes next, which is taken; NULL: there is none. */
@@ -68,7 +68,7 @@ static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
 
 /* A keyword whose name is taken: its value, and the keywords within it. */
 static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
-  aspi_set_given(r->d, k->name);
+  r->d->given |= aspi_keyword_bit(k);
   asp_code code = read_value(r, k);
   if (!code && k->in_si)
     code = aspi_words_check_units(r, k->name);

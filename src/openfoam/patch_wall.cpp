@@ -94,16 +94,15 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   return hit;
 }
 
-/* A parcel has no place for what has happened to it, and none is needed: its adhesion has a key
- * without a time, and the exponential number that ends it can be drawn anew in each step. */
+/* A parcel has no place for what has happened to it, and none is needed: its adhesion is its own,
+ * and the exponential number that ends it can be drawn anew in each step. */
 bool PatchWall::removes(const Parcel &parcel, double dt) const {
   asp_particle sphere = parcel.sphere;
   if (asp_description_is_given(words_.get(), "u_tau"))
     sphere.u_tau = 0;
-  const asp_key adhesion = {seed_, key_, parcel.key.tag, 0},
-                now = {seed_, key_, parcel.key.tag, parcel.key.impact};
-  return asp_wall_removal(wall_.get(), &sphere, &adhesion).rate * dt >
-         asp_wall_removal(wall_.get(), &sphere, &now).most;
+  const asp_key key = {seed_, key_, parcel.key.tag, parcel.key.impact};
+  const asp_removal removal = asp_wall_removal(wall_.get(), &sphere, &key);
+  return removal.rate * dt > removal.most;
 }
 
 std::string PatchWall::heading() const {

@@ -22,6 +22,8 @@
  * the impulse that the law takes from v_t1 is taken from the velocity of the particle's surface,
  * with its angle in place of alpha', and ends where the surface stops, at (2/7) of its speed.
  *
+ * A grain whose yield stress is not its material's has its own share of the rate, too.
+ *
  * The difference of squares is taken as (v - v_a)(v + v_a): v_n2^2 is right to some last bits of
  * v_n1^2, and v_t2 to some of v_t1 (tests/sweep/precision.c).
  *
@@ -88,7 +90,9 @@ static double softened(const double *p, double own) {
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   double n1 = hit->v_n1, t1 = hit->v_t1, speed = sqrt(n1 * n1 + t1 * t1), density = hit->density;
-  double yield = p[YIELD_RATE] > 0 ? p[YIELD_RATE] * speed : pair->yield_stress;
+  double rate = p[YIELD_RATE], yield = pair->yield_stress;
+  if (rate > 0)
+    yield = fma(pair->harder, rate * speed, rate * speed);
   double v_y = yield * softened(p, hit->temperature) / sqrt(density * pair->modulus);
   double n2 = fmin(n1, v_y);
   if (hit->adhesion && pair->surface_energy > 0) {

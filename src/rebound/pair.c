@@ -39,8 +39,8 @@ asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall
   }
   asp_pair *pair = malloc(sizeof *pair);
   if (pair)
-    *pair = (asp_pair){modulus, particle->yield_stress, ASP_SURFACE_ENERGY, ASP_FRICTION,
-                       wall->density};
+    *pair = (asp_pair){modulus,      particle->yield_stress, ASP_SURFACE_ENERGY,
+                       ASP_FRICTION, wall->density,          0};
   else
     aspi_fail(error, ASP_ENOMEM, "out of memory for a pair of materials");
   return pair;

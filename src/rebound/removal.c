@@ -22,21 +22,28 @@ double aspi_flow_adhesion(const aspi_flow *flow, double d_p) {
   return flow->adhesion > 0 ? flow->adhesion : fmax(median, 0);
 }
 
-asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
-                              const asp_key *key) {
+double aspi_flow_share(const aspi_flow *flow, double d_p, const asp_key *key) {
+  double by_size = 1.8 + 0.136 * pow(0.5 * d_p / flow->micron, 1.4);
+  double spread = flow->spread > 0 ? flow->spread : flow->adhesion > 0 ? 1 : by_size;
+  return aspi_flow_adhesion(flow, d_p) * pow(spread, aspi_stream_own(key, ASPI_OWN_ADHESION));
+}
+
+double aspi_flow_rate(const aspi_flow *flow, const asp_particle *particle, double share) {
   double u_tau = fabs(particle->u_tau) > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
-  aspi_stream stream = aspi_stream_begin(key);
-  asp_removal out = {0, -log(aspi_stream_uniform(&stream))};
   if (!(flow->density > 0) || !(u_tau > 0) || !particle->pair)
-    return out;
-  double r = particle->d_p / 2, micron = r / flow->micron, in_wall = r * u_tau / nu;
-  double spread = flow->spread > 0 ? flow->spread : 1.8 + 0.136 * pow(micron, 1.4);
-  double share =
-      aspi_flow_adhesion(flow, particle->d_p) * exp(aspi_stream_normal(&stream) * log(spread));
+    return 0;
+  double r = particle->d_p / 2, in_wall = r * u_tau / nu;
   double adhesion = 3 * ASP_PI * particle->pair->surface_energy * r * share;
   double mean = 10.45 * flow->density * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
   double x = (adhesion - mean) / (sqrt(2) * 0.2 * mean), below = 0.5 * erfc(-x);
   double most = 0.00658 * u_tau * u_tau / nu;
-  out.rate = below > 0 ? fmin(most, most * exp(-x * x) / below) : most;
-  return out;
+  return below > 0 ? fmin(most, most * exp(-x * x) / below) : most;
+}
+
+asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
+                              const asp_key *key) {
+  aspi_stream stream = aspi_stream_begin(key);
+  double most = -log(aspi_stream_uniform(&stream));
+  return (asp_removal){aspi_flow_rate(flow, particle, aspi_flow_share(flow, particle->d_p, key)),
+                       most};
 }

@@ -69,13 +69,14 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
                           const double v1[3], const double n[3], const asp_key *key,
                           const aspi_ratios *ratios, asp_impact *impact) {
   asp_particle own;
-  if (!particle->pair && wall->law->needs_pair) {
-    if (!wall->pair) {
+  asp_pair pair;
+  if (wall->varies || (!particle->pair && wall->law->needs_pair)) {
+    own = aspi_as_grain(wall, particle, key, &pair);
+    particle = &own;
+    if (!own.pair) {
       pass(particle, v1, impact);
       return ASP_EARG;
     }
-    own = aspi_with_pair(wall, particle);
-    particle = &own;
   }
   if (!isfinite(v1[0] + v1[1] + v1[2])) {
     pass(particle, v1, impact);

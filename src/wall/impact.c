@@ -376,6 +376,22 @@ void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *partic
   to_center(particle, impact);
 }
 
+asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, const asp_key *key,
+                           asp_pair *pair) {
+  asp_particle own = aspi_with_pair(wall, particle);
+  if (!wall->varies || !own.pair)
+    return own;
+  *pair = *own.pair;
+  if (wall->scatter > 0) {
+    pair->harder = expm1(wall->scatter * aspi_stream_own(key, ASPI_OWN_YIELD));
+    pair->yield_stress *= 1 + pair->harder;
+  }
+  if (wall->flow.adhesion > 0)
+    pair->surface_energy *= aspi_flow_share(&wall->flow, own.d_p, key);
+  own.pair = pair;
+  return own;
+}
+
 /* A slope s_eff x with the density x exp(-x^2/2), the law of faces met along the wall. */
 static double rayleigh(const aspi_slopes_along *slopes, aspi_stream *stream) {
   return slopes->slope * sqrt(-2 * log(aspi_stream_uniform(stream)));
@@ -417,7 +433,8 @@ static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi
 bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                              const double n[3], double press, const asp_key *key,
                              asp_impact *impact) {
-  asp_particle own = aspi_with_pair(wall, particle);
+  asp_pair pair;
+  asp_particle own = aspi_as_grain(wall, particle, key, &pair);
   particle = &own;
   frame f = frame_of(touching(particle, load(v1)), load(n));
   if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))

@@ -7,12 +7,16 @@
 #include "wall/frame.h"
 #include "wall/wall.h"
 
-/* The particle with the wall's pair where it has none of its own. */
+/* The particle with the wall's pair where it has none of its own; its material's constants. */
 static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_particle *particle) {
   asp_particle own = *particle;
   own.pair = own.pair ? own.pair : wall->pair;
   return own;
 }
+
+/* The same with what differs from grain to grain: its own yield stress and adhesion, in *pair. */
+asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, const asp_key *key,
+                           asp_pair *pair);
 
 /* Log likelihood ratios of an impact's draws: on each of n other walls, over the impact's wall. */
 typedef struct aspi_ratios {

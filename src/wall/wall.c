@@ -59,6 +59,8 @@ void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice) {
   wall->flow = choice->flow;
   wall->erosion = choice->erosion;
   wall->lever = choice->lever;
+  wall->scatter = choice->scatter;
+  wall->varies = choice->law->needs_pair && (choice->scatter > 0 || choice->flow.adhesion > 0);
 }
 
 static void release(asp_wall *wall) {

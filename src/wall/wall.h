@@ -25,7 +25,8 @@ typedef struct aspi_wall_choice {
   bool scatter_twice; /* allows a law with a scatter of its own on a rough wall */
   aspi_flow flow;     /* takes away what sticks */
   aspi_erosion erosion;
-  double lever; /* sd of the center of mass of grains per axis and diameter; 0: spheres */
+  double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
+  double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */
 } aspi_wall_choice;
 
 /* Where the wall was measured: what is doubtful about the file, and how the points lie. */
@@ -52,7 +53,8 @@ struct asp_wall {
   bool spins;     /* the law turns the particle */
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
-  double lever;
+  double lever, scatter;
+  bool varies; /* grains have a yield stress or an adhesion of their own */
   aspi_wall_heights heights;
 };
 

@@ -10,7 +10,7 @@ mesh='mesh n_meshes 1 meshes plate' plane='primitive type 2 zplane 0.0'
 deck() { # DATA WALL LEDGER RUNS
   flying $1
   echo "fix plate all mesh/surface file plate.stl type 2
-fix wall all wall/rebound $2 surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple deposit freeze seed 5 ledger 100 file $3
+fix wall all wall/rebound $2 surface rq 10e-6 lambda_c 90e-6 spread weibull isotropic collisions multiple yield_stress 2e8 scatter 0.3 deposit freeze seed 5 ledger 100 file $3
 timestep 1e-8"
   printf '%b\n' "$4"
 }

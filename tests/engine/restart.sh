@@ -11,7 +11,7 @@ script() { # DATA MOTION LINES
   boundary='m m f' flying $1
   echo "fix plate all mesh/surface file plate.stl type 2
 fix push all move/mesh mesh plate $2
-fix low all wall/rebound mesh n_meshes 1 meshes plate surface rq 10e-6 lambda_c 90e-6 rebound bons deposit freeze seed 4 ledger 60 file \${out}
+fix low all wall/rebound mesh n_meshes 1 meshes plate surface rq 10e-6 lambda_c 90e-6 rebound bons yield_stress 2e8 scatter 0.3 deposit freeze seed 4 ledger 60 file \${out}
 fix high all wall/rebound primitive type 2 zplane 3.8e-4 surface rq 10e-6 lambda_c 90e-6 rebound constant 0.9 0.9 seed 4
 thermo_style custom step f_low[1] f_low[2] f_low[3] f_low[4] f_high[1]
 thermo 1000
@@ -55,7 +55,7 @@ says() {
   local word script=$1; grep -a "$2" "$1.screen" > warning || { grep -a WARNING "$1.screen"; die "no '$2'"; }; shift 2
   for word; do grep -qF -- "$word" warning || { cat warning; die "'$word' is not in the warning of $script"; }; done
 }
-sed 's/bons deposit freeze seed 4/bons yield_rate 3e6 deposit delete seed 5/; s/^fix high all/fix new all/; s/f_high/f_new/; s/^run 900/thermo_modify lost ignore\nrun 1/' rest.in > other.in
+sed 's/yield_stress 2e8 scatter 0.3 deposit freeze seed 4/yield_rate 3e6 deposit delete seed 5/; s/^fix high all/fix new all/; s/f_high/f_new/; s/^run 900/thermo_modify lost ignore\nrun 1/' rest.in > other.in
 engine 2 other.in -var out other.csv
 says other.in 'WARNING.*id low' "the script is taken" "seed 5, was 4" "deposit delete, was freeze" "rebound bons yield_rate 3000000, was bons"
 says other.in 'WARNING.*id new' 'no data of this wall'

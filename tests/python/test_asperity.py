@@ -58,7 +58,8 @@ class Walls(unittest.TestCase):
                       "surface sigma 8 spread weibull plane collisions single rebound constant 0.9 0.8",
                       "surface rq 5um lambda_c 40um 120um lay 1 1 0 rebound walton 0.9 0.3 0 seed 7",
                       f"surface rq 15um lambda_c 120um spread profile deposit off friction 0.5 {PAIR}",
-                      "surface sigma 8 rebound walton 0.9 0.3 0 grain lever 0.1", f"surface smooth {PAIR}"):
+                      "surface sigma 8 rebound walton 0.9 0.3 0 grain lever 0.1",
+                      f"surface smooth yield_stress 200MPa scatter 0.3 adhesion 0.5 adhesion_spread 2 {PAIR}"):
             rows = ledger(self.folder, words, "--dp", "2um,20um,50um", "--speed", "30,200", "--angles",
                           "2,20,70,89", "--samples", "50")
             wall = asperity.Wall(words, (2e-6, 50e-6), name="cor")
@@ -74,6 +75,30 @@ class Walls(unittest.TestCase):
             for name, values in pairs.items():
                 np.testing.assert_allclose(values, rows[name], rtol=1e-8, atol=1e-9, err_msg=words)
             self.assertGreater(len(set(rows["cor_n"])), 3)
+
+    def test_scatter_of_grains_by_quadrature(self):
+        """The mean and sd of CoR_N by sums over the tilt, in and across the plane of incidence, and over the yield
+        stress: by the visible slopes, an elastic-plastic normal speed and `bons` friction; of single collisions."""
+        v, slope, v_y, friction = 100, np.tan(np.radians(8)), 200e6 / np.sqrt(54.7929e9 * 2650), 0.3
+        x, weight = np.polynomial.hermite_e.hermegauss(80)
+        p, q, z = np.meshgrid(slope * x, slope * x, x, indexing="ij")
+        for degrees, scatter in ((60, 0.3), (85, 0.3), (85, 1e-9)):
+            a = np.radians(degrees)
+            length = np.sqrt(1 + p ** 2 + q ** 2)
+            n1 = v * (np.sin(a) + p * np.cos(a)) / length
+            seen = np.einsum("i,j,k->ijk", weight, weight, weight) * np.maximum(n1, 0) * length
+            n2 = np.minimum(n1, v_y * np.exp(scatter * z))
+            kept = 1 - friction * (n1 + n2) * np.sqrt(v ** 2 - n1 ** 2) / v ** 2  # of the speed along the face
+            cor_n = (n2 / length + kept * (n1 / length - v * np.sin(a))) / (v * np.sin(a))
+            seen *= cor_n > 0
+            mean = (seen * cor_n).sum() / seen.sum()
+            sd = np.sqrt((seen * cor_n ** 2).sum() / seen.sum() - mean ** 2)
+            wall = asperity.Wall(f"surface sigma 8 spread visible collisions single yield_stress 200MPa "
+                                 f"scatter {scatter} deposit off {PAIR}")
+            v1 = asperity.velocities(v, np.full(40000, a))
+            got = asperity.coefficients(v1, wall.impacts(v1, 2e-5))["cor_n"]
+            self.assertAlmostEqual(got.mean(), mean, delta=0.005)
+            self.assertAlmostEqual(got.std(), sd, delta=0.01)
 
     def test_arrays_are_single_impacts(self):
         """Whatever differs from impact to impact is that of the impact."""

@@ -2,7 +2,7 @@
 # Coverage of the 95 % intervals of `asperity calibrate` over synthetic measurements with known constants, for three laws:
 # calibrate.sh [TRIALS [JOBS [IMPACTS_AT_AN_ANGLE...]]] (of seven angles). Of all intervals, 0.93 to 0.97 must hold the truth
 # in 100 trials and more, with fewer than 50 impacts 0.90 and more; in the few of a test 0.75 of them, and no estimate may be farther off than 4.5 standard errors.
-# Prints a row for each constant.
+# Prints a row for each constant. Before that: a yield stress that scatters and a lever, each of them alone in the data and both unknown, are told apart.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/../cli/cli.sh"
 trials=${1:-1} jobs=${2:-1}; shift $(($# < 2 ? $# : 2))
@@ -28,6 +28,18 @@ trial() {
   rm "data.$law.$each.$seed"
 }
 export -f trial
+# apart WORDS PRESENT VALUE ABSENT: sigma, friction and what is present come back within two standard errors; of what is absent there is a bound.
+apart() {
+  local wall='surface sigma' dust='materials quartz hastelloy-x yield_stress 200MPa' at='--dp 20um --speed 100'
+  "$asperity" cor $wall 6 $dust $1 seed 21 $at --angles 10,20,30,45,60,75,85 --samples 100 -o steep
+  "$asperity" calibrate steep $wall fit $dust scatter fit friction fit grain lever fit $at --samples 400 -o apart 2> err
+  awk -F, -v wanted="sigma 6 friction 0.3 $2 $3" 'BEGIN { n = split(wanted, w, " "); for (i = 1; i < n; i += 2) is[w[i]] = w[i + 1] }
+    $1 in is { z = ($2 - is[$1]) / $3; found += $3 > 0 && z < 2 && z > -2 } END { exit found != 3 }' apart &&
+    grep -qE "^# $4 < 0\.[0-9]+ at 95 %" apart && [ "$(grep -c '^# correlation' apart)" = 6 ] || die "$2 $3 and no $4: $(cat apart err)"
+}
+apart 'scatter 0.3' scatter 0.3 lever
+apart 'grain lever 0.1' lever 0.1 scatter
+
 for seed in $(seq 1 "$trials"); do for law in bons thornton_ning walton; do for each in $sizes; do echo "$law $each $seed"; done; done; done |
   xargs -P "$jobs" -L 1 bash -c 'trial "$@"' trial
 cat rows.* > all

@@ -67,8 +67,14 @@ static void canonical_texts(void **state) {
       "yield_stress 150000000 deposit freeze remove u_tau 2.5 gas_density 1.2 gas_viscosity "
       "1.5e-05 seed 1");
   check_text("deposit freeze remove gas_density 1.2 gas_viscosity 0.5 adhesion 0.01",
-             "surface smooth rebound bons deposit freeze remove gas_density 1.2 gas_viscosity 0.5 "
-             "adhesion 0.01 seed 1");
+             "surface smooth rebound bons adhesion 0.01 deposit freeze remove gas_density 1.2 "
+             "gas_viscosity 0.5 seed 1");
+  check_text("adhesion 0.02 adhesion_spread 3 yield_stress 2e8 scatter 0.3",
+             "surface smooth rebound bons adhesion 0.02 adhesion_spread 3 yield_stress 200000000 "
+             "scatter 0.3 deposit freeze seed 1");
+  check_text("rebound bons temperature 1200 yield_rate 3e6 scatter 0.25 seed 2",
+             "surface smooth rebound bons yield_rate 3000000 temperature 1200 scatter 0.25 deposit "
+             "freeze seed 2");
 }
 
 /* What instruments print becomes rq and lambda_c, by closed forms; R_Sm by its table. */
@@ -358,7 +364,8 @@ static void bad_values_are_named(void **state) {
   refuses("rebound constant 1", "cor_t", "missing");
   refuses("rebound bons contact_area 1 1", "the value of 'c' is missing", "");
   refuses("rebound bons contact_area 1 1 11", "c is 11", "0 to 10");
-  refuses("rebound bons scatter 1", "'scatter' is unknown", "yield_rate");
+  refuses("rebound bons scatter 1", "'scatter' belongs behind 'yield_stress'", "scatter S");
+  refuses("yield_stress 2e8 scatter 0", "scatter is 0", "0 to 2");
   refuses("grain cube", "grain is 'cube'", "sphere | lever S");
   refuses("grain lever 0", "lever is 0", "0 to 0.5");
   refuses("rebound walton 0.9 0.2 0.4 grain lever 0.03", "BETA0 0", "");
@@ -381,6 +388,11 @@ static void what_has_no_effect_is_refused(void **state) {
   refuses("surface profile p.csv spread profile", "spread is 'profile'", "'spread traced'");
   refuses("rebound walton 0.9 0.3 0 surface_energy 1", "'surface_energy' has no effect", "walton");
   refuses("rebound walton 0.9 0.3 0 yield_stress 1", "'yield_stress' has no effect", "walton");
+  refuses("rebound walton 0.9 0.3 0 yield_stress 1 scatter 0.3", "'yield_stress' has no effect",
+          "walton");
+  refuses("rebound bons yield_rate 0 scatter 0.3", "'scatter' has no effect", "yield_rate 0");
+  refuses("rebound walton 0.9 0.3 0 adhesion 0.1", "'adhesion' has no effect", "walton");
+  refuses("adhesion 0.1 deposit off", "'adhesion' has no effect", "deposit off");
   refuses("rebound walton 0.9 0.3 0 friction 0.3", "'friction' has no effect", "MU");
   refuses("materials quartz steel rebound constant 1 1", "'materials' has no effect", "constant");
   refuses("yield_stress 1e8 rebound bons yield_rate 3e6", "'yield_stress' has no effect",
@@ -530,11 +542,13 @@ static void odd_constants_are_doubted(void **state) {
   doubts(text, "deposit off", 1e-9, 2650, 70e9);
   assert_string_equal(text, "");
 #define FLOW "deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5 "
-  doubts(text, FLOW, 69e-6, 2650, 70e9);
+  doubts(text, FLOW, 5e-6, 2650, 70e9);
   assert_string_equal(text, "");
+  doubts(text, FLOW, 69e-6, 2650, 70e9);
+  assert_non_null(strstr(text, "takes away more than half of the particles of diameter 6.9e-05"));
   doubts(text, FLOW, 71e-6, 2650, 70e9);
   assert_non_null(strstr(text, "takes away at once what particles of diameter 7.1e-05 m leave"));
-  doubts(text, FLOW "adhesion 0.01", 71e-6, 2650, 70e9);
+  doubts(text, FLOW "adhesion 0.5", 71e-6, 2650, 70e9);
   assert_string_equal(text, "");
 #define SIZES "is for particles of"
   static const struct {

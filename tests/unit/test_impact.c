@@ -42,7 +42,7 @@ static double dot(const double *a, const double *b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0};
+static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0, 0};
 static const asp_particle grain = {.d_p = 1e-5, .density = 2650, .pair = &quartz_on_nickel};
 static const double up[3] = {0, 0, 1};
 
@@ -66,6 +66,70 @@ static void smooth_wall_is_the_law(void **state) {
     assert_int_equal(impact.hits, 1);
   }
   setup_free(&s);
+}
+
+static double bounces_with(const asp_wall *wall, uint32_t name, uint64_t tag, uint32_t number) {
+  asp_impact impact;
+  asp_wall_impact(wall, &grain, (double[]){0, 0, -100}, up, &(asp_key){7, name, tag, number},
+                  &impact);
+  return impact.v2[2];
+}
+
+/* A grain keeps its yield stress on all walls and at all impacts. Without adhesion `bons` returns
+ * Y/sqrt(rho E) from a plastic impact, with a rate 100 A/sqrt(rho E), so that speeds are log-normal
+ * with the sd of the logarithm that is given; `thornton_ning` by Y^(5/8) well above yield (their
+ * eq. 80: e by (v_y/v)^(1/4), v_y by Y^(5/2)). */
+static void a_grain_keeps_its_yield_stress(void **state) {
+  enum { N = 4000 };
+  static const struct {
+    const char *words;
+    double power, median; /* 0: not known in closed form */
+  } laws[] = {{"yield_stress 200MPa scatter 0.3 deposit off", 1, 200e6},
+              {"rebound bons yield_rate 200000 scatter 0.3 deposit off", 1, 20e6},
+              {"rebound thornton_ning yield_stress 200MPa scatter 0.3 deposit off", 0.625, 0}};
+  for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+    asp_wall *wall = asp_wall_from_text(laws[i].words, 0, 0, NULL);
+    double sum = 0, squares = 0;
+    for (uint64_t tag = 1; tag <= N; tag++) {
+      double v = bounces_with(wall, 1, tag, 1), ln = log(v);
+      assert_near(v, bounces_with(wall, 2, tag, 9), 0);
+      sum += ln / N;
+      squares += ln * ln / N;
+    }
+    double sd = laws[i].power * 0.3, error = sd / sqrt(N);
+    assert_near(sqrt(squares - sum * sum), sd, 4 * error / sqrt(2) + 0.01 * (laws[i].power < 1));
+    if (laws[i].median > 0)
+      assert_near(sum, log(laws[i].median / sqrt(54.8e9 * 2650)), 4 * error);
+    asp_wall_free(wall);
+  }
+}
+
+/* Arrivals and removal have one adhesion: a grain sticks below v_a = (6 f' gamma (a + b)/(rho
+ * d))^(1/2), and is held by 3 pi gamma r f', so one that sticks at a higher speed is let go at a
+ * lower rate. */
+static void a_grain_keeps_its_adhesion(void **state) {
+  static const char words[] = "materials quartz hastelloy-x adhesion 0.1 adhesion_spread 3 deposit "
+                              "freeze remove u_tau 0.5 gas_density 1.2 gas_viscosity 1.5e-5";
+  asp_wall *wall = asp_wall_from_text(words, 0, 0, NULL);
+  asp_particle own = grain;
+  const double v = 3, v_y = 16.6, n = 2000;
+  const double area = 0.1 + sqrt(v / v_y) / 7, enough = 2650 * 1e-5 * v * v / (6 * 0.8 * area);
+  const double share = erfc(log(enough / 0.1) / log(3) / sqrt(2)) / 2;
+  double most_stuck = 0, least_free = INFINITY, stuck = 0;
+  own.pair = NULL;
+  for (uint64_t tag = 1; tag <= n; tag++) {
+    asp_impact impact;
+    const asp_key key = {7, 1, tag, 3};
+    asp_wall_impact(wall, &own, (double[]){0, 0, -v}, up, &key, &impact);
+    const double rate = asp_wall_removal(wall, &own, &(asp_key){7, 2, tag, 5}).rate;
+    const bool sticks = impact.outcome == ASP_DEPOSIT;
+    stuck += sticks;
+    most_stuck = sticks ? fmax(most_stuck, rate) : most_stuck;
+    least_free = sticks ? least_free : fmin(least_free, rate);
+  }
+  assert_near(stuck / n, share, 4 * sqrt(share / n));
+  assert_true(most_stuck <= least_free);
+  asp_wall_free(wall);
 }
 
 /* A specular face tilted by delta turns the rebound by twice that: alpha2 = alpha1 + 2 delta. */
@@ -485,6 +549,8 @@ static void no_number(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(smooth_wall_is_the_law),
+      cmocka_unit_test(a_grain_keeps_its_yield_stress),
+      cmocka_unit_test(a_grain_keeps_its_adhesion),
       cmocka_unit_test(specular_rebound_turns_by_twice_the_tilt),
       cmocka_unit_test(frame_does_not_matter),
       cmocka_unit_test(out_of_plane_tilt),
