@@ -15,11 +15,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Most places of an index: more do not change the share that sticks. */
-enum { PLACES_MOST = 8192 };
+/* Most places of an index: with four times as many, elastic particles leave a wall alike. */
+enum { PLACES_MOST = 32768 };
 
-/* A standard deviation of the slope counts as this many of the height, or of the curvature. */
-#define SLOPE_COUNTS 2
+/* A standard deviation of the slope counts as this many of the height, or of the curvature. With a
+ * slope that is off by as much as the height, too many particles leave at grazing angles. */
+#define SLOPE_COUNTS 8
 
 /* Curvatures are of places this share of the length of the row's waves apart. */
 #define BEND_SHARE 0.125
@@ -72,7 +73,7 @@ static void set_bends(aspi_row_places *p, const aspi_field *row, double r_q, dou
 asp_code aspi_row_places_create(aspi_row_places *p, const aspi_field *row, asp_error *error) {
   size_t n = (size_t)row->columns, every = (n + PLACES_MOST - 1) / PLACES_MOST;
   *p = (aspi_row_places){.count = n / every};
-  p->strip = (size_t)ceil(sqrt((double)p->count));
+  p->strip = (size_t)ceil(4 * sqrt((double)p->count)); /* long ones: the slope counts more */
   p->strips = (p->count + p->strip - 1) / p->strip;
   p->place = malloc(p->count * sizeof *p->place + p->strips * sizeof *p->bottom);
   p->bottom = (float *)(p->place + p->count);

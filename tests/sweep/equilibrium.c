@@ -31,9 +31,10 @@ static double distance(double *x, size_t n) {
   return worst;
 }
 
-/* The deviation of a spread model, as "visible isotropic collisions multiple", on a Gaussian wall
- * whose rms slope has this angle in degrees, in space or in the plane. */
-static double deviation(const char *spread, bool plane, double sigma, size_t n) {
+/* What is uniform over 0 ... 1 for the real wall, of n rebounds by a spread model, as "visible
+ * isotropic collisions multiple", on a Gaussian wall whose rms slope has this angle in degrees, in
+ * space or in the plane. */
+static double *rebounds(const char *spread, bool plane, double sigma, size_t n) {
   char text[200];
   asp_error error;
   double lambda_c = 1, d_p = 1e-3, r_q = tan(sigma * ASP_PI / 180) * lambda_c / sqrt(2);
@@ -56,10 +57,23 @@ static double deviation(const char *spread, bool plane, double sigma, size_t n) 
     const double *v2 = impact.v2;
     out[i] = plane ? 0.5 * (1 + v2[0]) : v2[2] * v2[2];
   }
-  double worst = distance(out, n);
-  free(out);
   asp_wall_free(wall);
+  return out;
+}
+
+static double deviation(const char *spread, bool plane, double sigma, size_t n) {
+  double *out = rebounds(spread, plane, sigma, n), worst = distance(out, n);
+  free(out);
   return worst;
+}
+
+/* How many leave with sin^2 of the angle below 0.001, over the cosine law. */
+static double grazing(const char *spread, double sigma, size_t n) {
+  double *out = rebounds(spread, false, sigma, n), count = 0;
+  for (size_t i = 0; i < n; i++)
+    count += out[i] < 0.001;
+  free(out);
+  return count / (0.001 * (double)n);
 }
 
 static const char *const models[] = {"normal",  "rejection", "truncated",
@@ -88,13 +102,15 @@ static void print_table(void) {
 
 static int failures;
 
-static void expect(const char *spread, bool plane, double sigma, double least, double most) {
-  enum { IMPACTS = 100000 };
-  double found = deviation(spread, plane, sigma, IMPACTS);
+static void check(const char *what, double sigma, double found, double least, double most) {
   bool good = found >= least && found <= most;
-  printf("%s%s at %g degrees: %.4f, expected %g to %g\n", good ? "" : "FAILED: ", spread, sigma,
+  printf("%s%s at %g degrees: %.4f, expected %g to %g\n", good ? "" : "FAILED: ", what, sigma,
          found, least, most);
   failures += !good;
+}
+
+static void expect(const char *spread, bool plane, double sigma, double least, double most) {
+  check(spread, sigma, deviation(spread, plane, sigma, 100000), least, most);
 }
 
 int main(int argc, char **argv) {
@@ -114,5 +130,7 @@ int main(int argc, char **argv) {
   expect("profile plane collisions multiple", true, 20, 0, 0.006);
   expect("truncated isotropic collisions multiple", false, 20, 0.07, 0.09);
   expect("weibull plane collisions single", false, 20, 0.05, 0.2);
+  check("traced isotropic, grazing", 35.264, grazing("traced isotropic", 35.264, 400000), 0.8,
+        1.25);
   return failures > 0;
 }
