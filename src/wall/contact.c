@@ -69,14 +69,13 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
                           const double v1[3], const double n[3], const asp_key *key,
                           const aspi_ratios *ratios, asp_impact *impact) {
   asp_particle own;
-  asp_pair pair;
-  if (wall->varies || (!particle->pair && wall->law->needs_pair)) {
-    own = aspi_as_grain(wall, particle, key, &pair);
-    particle = &own;
-    if (!own.pair) {
+  if (!particle->pair && wall->law->needs_pair) {
+    if (!wall->pair) {
       pass(particle, v1, impact);
       return ASP_EARG;
     }
+    own = aspi_with_pair(wall, particle);
+    particle = &own;
   }
   if (!isfinite(v1[0] + v1[1] + v1[2])) {
     pass(particle, v1, impact);
@@ -90,15 +89,30 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   return ASP_OK;
 }
 
+/* The impact on a wall whose grains differ, as on one where they are alike: apart, so that those
+ * need no room for a pair. */
+static asp_code impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
+                                const double v1[3], const double n[3], const asp_key *key,
+                                asp_impact *impact) {
+  asp_pair pair;
+  asp_particle own = aspi_as_grain(wall, particle, key, &pair);
+  asp_wall alike = *wall;
+  alike.varies = false;
+  alike.rough = rough;
+  return asp_wall_impact(&alike, &own, v1, n, key, impact);
+}
+
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact) {
-  return impact_on(wall, wall->rough, particle, v1, n, key, NULL, impact);
+  return wall->varies ? impact_of_grain(wall, wall->rough, particle, v1, n, key, impact)
+                      : impact_on(wall, wall->rough, particle, v1, n, key, NULL, impact);
 }
 
 asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
                               const double v1[3], const double n[3], const asp_key *key,
                               asp_impact *impact) {
-  return impact_on(wall, false, particle, v1, n, key, NULL, impact);
+  return wall->varies ? impact_of_grain(wall, false, particle, v1, n, key, impact)
+                      : impact_on(wall, false, particle, v1, n, key, NULL, impact);
 }
 
 static asp_code fail_law(const asp_wall *wall, asp_code code, asp_error *error) {
@@ -173,8 +187,9 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
     memset(ratios.log, 0, n_others * sizeof *ratios.log);
     if (check_steeper(wall, &particles[i], normals + 3 * i, &ratios, error))
       return ASP_ERANGE;
-    code = impact_on(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &ratios,
-                     &impacts[i]);
+    asp_pair pair;
+    asp_particle own = aspi_as_grain(wall, &particles[i], &keys[i], &pair);
+    code = impact_on(wall, true, &own, v1 + 3 * i, normals + 3 * i, &keys[i], &ratios, &impacts[i]);
   }
   for (size_t i = 0; i < n * n_others; i++)
     weights[i] = exp(weights[i]);

@@ -73,6 +73,8 @@ static void weights_give_the_other_wall(void **state) {
        WALL("surface rq 3um lambda_c 36um 80um lay 1 2 0")},
       {"surface sigma 12 rebound walton 0.8 0.3 0.2",
        "surface sigma 13 rebound walton 0.8 0.3 0.2"},
+      {WALL("surface rq 5um lambda_c 40um yield_stress 20MPa scatter 0.3 adhesion 0.5"),
+       WALL("surface rq 5.5um lambda_c 40um yield_stress 20MPa scatter 0.3 adhesion 0.5")},
       {WALL("surface rq 5um lambda_c 40um grain lever 0.05"),
        WALL("surface rq 5.5um lambda_c 40um grain lever 0.05")}};
   for (size_t i = 0; i < sizeof walls / sizeof *walls; i++)
