@@ -17,6 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Diameter of a particle that meets every slope, over lambda_c. */
+#define SMALL 1e-3
+
 static int in_order(const void *a, const void *b) {
   double x = *(const double *)a, y = *(const double *)b;
   return (x > y) - (x < y);
@@ -34,10 +37,10 @@ static double distance(double *x, size_t n) {
 /* What is uniform over 0 ... 1 for the real wall, of n rebounds by a spread model, as "visible
  * isotropic collisions multiple", on a Gaussian wall whose rms slope has this angle in degrees, in
  * space or in the plane. */
-static double *rebounds(const char *spread, bool plane, double sigma, size_t n) {
+static double *rebounds(const char *spread, bool plane, double sigma, double d_p, size_t n) {
   char text[200];
   asp_error error;
-  double lambda_c = 1, d_p = 1e-3, r_q = tan(sigma * ASP_PI / 180) * lambda_c / sqrt(2);
+  double lambda_c = 1, r_q = tan(sigma * ASP_PI / 180) * lambda_c / sqrt(2);
   snprintf(text, sizeof text, "surface rq %.12g lambda_c %g spread %s rebound constant 1 1 %s", r_q,
            lambda_c, spread, "deposit off");
   asp_wall *wall = asp_wall_from_text(text, d_p, d_p, &error);
@@ -62,17 +65,16 @@ static double *rebounds(const char *spread, bool plane, double sigma, size_t n) 
 }
 
 static double deviation(const char *spread, bool plane, double sigma, size_t n) {
-  double *out = rebounds(spread, plane, sigma, n), worst = distance(out, n);
+  double *out = rebounds(spread, plane, sigma, SMALL, n), worst = distance(out, n);
   free(out);
   return worst;
 }
 
-/* How many leave with sin^2 of the angle below 0.001, over the cosine law. */
-static double grazing(const char *spread, double sigma, size_t n) {
-  double *out = rebounds(spread, false, sigma, n), count = 0;
+/* How many rebounds have sin^2 of the angle below 0.001, over the cosine law. */
+static double grazing(const double *out, size_t n) {
+  double count = 0;
   for (size_t i = 0; i < n; i++)
     count += out[i] < 0.001;
-  free(out);
   return count / (0.001 * (double)n);
 }
 
@@ -100,6 +102,22 @@ static void print_table(void) {
     }
 }
 
+/* Particles that are large against the wall's features, on a wall with R_q/lambda_c phi_r. */
+static void print_large(void) {
+  enum { IMPACTS = 1000000 };
+  static const struct {
+    double phi_r, d_p;
+  } walls[] = {{0.5, SMALL}, {0.25, 0.462}, {0.5, 0.231}, {0.25, 2.31}};
+  puts("traced isotropic: phi_r, kappa, off the cosine law, grazing over the cosine law");
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
+    double phi_r = walls[k].phi_r, sigma = atan(sqrt(2) * phi_r) * 180 / ASP_PI;
+    double *out = rebounds("traced isotropic", false, sigma, walls[k].d_p, IMPACTS);
+    printf("%g %.2f %.4f", phi_r, sqrt(3) * walls[k].d_p * phi_r, distance(out, IMPACTS));
+    printf(" %.2f\n", grazing(out, IMPACTS));
+    free(out);
+  }
+}
+
 static int failures;
 
 static void check(const char *what, double sigma, double found, double least, double most) {
@@ -116,6 +134,7 @@ static void expect(const char *spread, bool plane, double sigma, double least, d
 int main(int argc, char **argv) {
   if (argc > 1 && strcmp(argv[1], "long") == 0) {
     print_table();
+    print_large();
     return 0;
   }
   expect("visible isotropic collisions multiple", false, 10, 0, 0.006);
@@ -130,7 +149,9 @@ int main(int argc, char **argv) {
   expect("profile plane collisions multiple", true, 20, 0, 0.006);
   expect("truncated isotropic collisions multiple", false, 20, 0.07, 0.09);
   expect("weibull plane collisions single", false, 20, 0.05, 0.2);
-  check("traced isotropic, grazing", 35.264, grazing("traced isotropic", 35.264, 400000), 0.8,
-        1.25);
+  enum { IMPACTS = 400000 };
+  double *out = rebounds("traced isotropic", false, 35.264, SMALL, IMPACTS);
+  check("traced isotropic, grazing", 35.264, grazing(out, IMPACTS), 0.8, 1.25);
+  free(out);
   return failures > 0;
 }
