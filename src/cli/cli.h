@@ -53,6 +53,12 @@ struct cli_call {
  * file that is to be written cannot be. */
 cli_call cli_parse(const cli_command *command, int argc, char **argv);
 
+/* Lists the options of a command: its own, and those of all. */
+void cli_list_options(cli_call *call);
+
+/* Number of words between the first one and the first option; `-0.5` is a number and no option. */
+int cli_count_words(int argc, char **argv);
+
 /* An option of the command by name; its value; true if the value is not the default. */
 const cli_option *cli_get(const cli_call *call, const char *name);
 const char *cli_value(const cli_call *call, const char *name);
@@ -176,5 +182,9 @@ void cli_help_all(const cli_command *const *commands);
 
 /* Prints the words that describe a wall, from their table. */
 void cli_help_wall(void);
+
+/* Prints the words that may follow these of a command line, FILE for the name of a file: for the
+ * shell's completion. */
+void cli_help_words(const cli_command *const *commands, int count, char **words);
 
 #endif
