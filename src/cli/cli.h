@@ -131,6 +131,11 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
+/* Erases the line of progress and removes the file that is not whole, as an exit does and a signal
+ * that ends the program, once cli_clean_up_later is called. */
+void cli_clean_up(void);
+void cli_clean_up_later(void);
+
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
@@ -152,8 +157,8 @@ void cli_print_comment(FILE *out, const char *text);
 /* A text in quotes, with quotes inside it doubled. */
 void cli_print_quoted(FILE *out, const char *text);
 
-/* Percents on stderr when that is a terminal and the work takes over a second; done counts up to
- * total. */
+/* Percents and the time left at the mean rate, on stderr when that is a terminal; done counts up to
+ * total. cli_erase_progress may be called by a signal. */
 typedef struct cli_progress {
   const char *what;
   double total;
@@ -162,6 +167,7 @@ typedef struct cli_progress {
 cli_progress cli_progress_begin(const char *what, double total);
 void cli_progress_show(void *progress, double done); /* a cli_progress */
 void cli_progress_end(cli_progress *progress);
+void cli_erase_progress(void);
 
 /* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
  * file that cannot be written. cli_parse asks before any work is done. */
