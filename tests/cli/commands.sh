@@ -55,8 +55,8 @@ head -c 4 cor.png | grep -q PNG && head -c 4 cor.pdf | grep -q PDF || die "cor -
 "$asperity" cor surface rq 5um lambda_c 40um --samples 20 | rows /dev/stdin | cmp - <(rows drawn.csv) || die "cor --plot: another table"
 "$asperity" cor surface rq 5um lambda_c 40um --samples 500 --plot cor.svg -o c 2> err
 grep -q 'outside: .* of ' cor.svg && grep -q 'one of 3' cor.svg || die "cor --plot: what it leaves out"
-[ "$(grep -c '>mean ± sd' cor.svg)" = 1 ] || die "cor --plot: more than one legend"
-grep -q 'CoR_N' cor.svg && grep -q 'lambda_c' cor.svg && ! grep -q warning err || die "cor --plot: names with _"
+[ "$(grep -c '<text>mean ± sd' cor.svg)" = 1 ] || die "cor --plot: more than one legend"
+[ "$(grep -c '>CoR<.*>[NT]<' cor.svg)" = 2 ] && grep -q 'lambda_c' cor.svg && ! grep -q warning err || die "cor --plot: names with _"
 "$asperity" cor surface sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
 ! grep -q warning err && grep -q 'share of the rebounds' cor.svg || die "cor --plot of one impact: $(cat err)"
 "$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err || die "cor --plot where all stick: $(cat err)"
@@ -71,6 +71,12 @@ for kind in "--columns own" "--columns ledger" --summary; do
   esac
   [ "$stuck" -gt 0 ] && [ "$stuck" -lt 450 ] && [ "$(grep -c ">$stuck of 450 impacts stick<" cor.svg)" = 1 ] || die "cor $kind --plot: not $stuck of 450 stick"
 done
+"$asperity" cor surface sigma 5 --angles 20,40 --samples 9 --plot cor.svg -o c 2> err
+! grep -q warning err && ! grep -q '±' cor.svg || die "cor --plot: a mean of 9 impacts: $(cat err)"
+"$asperity" cor surface smooth --angles 30 --plot cor.svg -o c 2> err
+! grep -q warning err && grep -q 'all 0.304<' cor.svg && ! grep -q polygon cor.svg || die "cor --plot without scatter: $(cat err)"
+"$asperity" spread surface sigma 0.3 --plot spread.svg -o s 2> err
+[ "$(grep -c polygon spread.svg)" -gt 10 ] || die "spread --plot: bins wider than the spread"
 for kind in --summary --capture; do
   "$asperity" cor surface sigma 5 --angles 45 --dp 1um,2um --speed 1,2 $kind --plot $kind.svg -o c 2> err && grep -q '<svg' ./$kind.svg || die "cor $kind --plot: $(cat err)"
 done
