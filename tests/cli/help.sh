@@ -43,7 +43,7 @@ complete_words cor deposit off grain ''; [ "${COMPREPLY[*]}" = "sphere lever" ] 
 complete_words cor surface rq 5um ''; [ "${COMPREPLY[*]}" = "lambda_c rdq rsm lay dp_bins" ] || die "completes what must follow rq: ${COMPREPLY[*]}"
 complete_words cor surface rq 5um lambda_c ''; [ -z "${COMPREPLY[*]}" ] || die "completes a number: ${COMPREPLY[*]}"
 complete_words cor surface rq 5um lambda_c 9um s; [ "${COMPREPLY[*]}" = "spread surface_energy seed" ] || die "completes the next clause: ${COMPREPLY[*]}"
-complete_words trade surface sigma 5 --collisions ''; [ "${COMPREPLY[*]}" = "single multiple" ] || die "completes the values of an option: ${COMPREPLY[*]}"
+complete_words surface surface rq 1um lambda_c 9um --gaps ""; [ "${COMPREPLY[*]}" = "refuse fill" ] || die "completes the values of an option: ${COMPREPLY[*]}"
 complete_words surface surface rq 1um,2um lambda_c 9um --sa; [ "${COMPREPLY[*]}" = --save ] || die "completes options behind a list: ${COMPREPLY[*]}"
 complete_words calibrate myfile.csv friction fit=0.1 rebound thorn; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes behind fit=: ${COMPREPLY[*]}"
 for begun in compare calibrate "erosion" "compare myfile.csv" "cor -o" "cor surface profile" "cor rebound table" "compare --columns no.csv"; do
