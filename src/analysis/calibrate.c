@@ -93,13 +93,9 @@ static void pool_covariances(aspi_calibration *c) {
 }
 
 static void make_bins(aspi_calibration *c, double width) {
-  const aspi_scatter_row *rows = c->data.rows;
+  const bool clusters = aspi_scatter_is_clustered(&c->data, width);
   for (size_t i = 0; i < c->data.count; i++) {
-    aspi_calibration_bin *last = c->n_bins ? &c->bins[c->n_bins - 1] : NULL;
-    bool joins =
-        last && !c->data.means &&
-        aspi_scatter_interval(&rows[i], width) <= aspi_scatter_interval(&rows[last->first], width);
-    if (!joins)
+    if (i == 0 || c->data.means || !aspi_scatter_joins(&c->data, i, width, clusters))
       c->bins[c->n_bins++] = (aspi_calibration_bin){.first = i};
     c->bins[c->n_bins - 1].end = i + 1;
   }

@@ -121,14 +121,14 @@ static void describe_place(const aspi_scatter *data, aspi_compare_bin *on) {
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error) {
   const aspi_scatter *data = &c->data;
   bool places = !data->means && !given && is_of_places(data);
+  const bool clusters = aspi_scatter_is_clustered(data, width);
   c->bins = calloc(data->count + 1, sizeof *c->bins);
   if (!c->bins)
     return no_memory(data->count, error);
   for (size_t i = 0; i < data->count; i++) {
-    const aspi_scatter_row *row = &data->rows[i], *last = i ? row - 1 : row;
     bool joins = i > 0 && !data->means &&
-                 (places ? same_place(row, last)
-                         : aspi_scatter_interval(row, width) <= aspi_scatter_interval(last, width));
+                 (places ? same_place(&data->rows[i], &data->rows[i - 1])
+                         : aspi_scatter_joins(data, i, width, clusters));
     if (!joins)
       c->bins[c->count++] = (aspi_compare_bin){.first = i};
     c->bins[c->count - 1].end = i + 1;

@@ -108,3 +108,26 @@ void aspi_scatter_gather(aspi_scatter *s) {
   }
   s->room = 2 * s->count > ROOM_LEAST ? 2 * s->count : ROOM_LEAST;
 }
+
+/* ---- bins ---- */
+
+/* A step of the angle that parts two clusters. */
+static bool is_gap(const aspi_scatter_row *row, double width) {
+  return row->degrees - row[-1].degrees > 0.5 * width;
+}
+
+bool aspi_scatter_is_clustered(const aspi_scatter *s, double width) {
+  for (size_t i = 0, first = 0; i < s->count; i++) {
+    if (i > 0 && is_gap(&s->rows[i], width))
+      first = i;
+    if (s->rows[i].degrees - s->rows[first].degrees > width)
+      return false;
+  }
+  return !s->by_interval;
+}
+
+bool aspi_scatter_joins(const aspi_scatter *s, size_t i, double width, bool clusters) {
+  const aspi_scatter_row *row = &s->rows[i];
+  return clusters ? !is_gap(row, width)
+                  : aspi_scatter_interval(row, width) <= aspi_scatter_interval(row - 1, width);
+}

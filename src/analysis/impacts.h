@@ -58,6 +58,13 @@ typedef struct aspi_scatter {
   aspi_rebound_view view;
 } aspi_scatter;
 
+/* True if a row, not the first one, joins the bin of the row before it, in order of their angle:
+ * that of the same interval. Impacts that were made at few angles, in clusters narrower than the
+ * width with gaps of over half of it between them, are binned by these: a border may lie within a
+ * cluster. */
+bool aspi_scatter_joins(const aspi_scatter *scatter, size_t row, double width, bool clusters);
+bool aspi_scatter_is_clustered(const aspi_scatter *scatter, double width);
+
 /* Sets the key of a row. */
 void aspi_scatter_key(const aspi_scatter *s, aspi_scatter_row *row);
 

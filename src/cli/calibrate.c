@@ -342,7 +342,8 @@ static const cli_option options[] = {
      "sd of the measured impact angles, of the rebound angles [the same], and of the speeds as a "
      "share of them",
      "0"},
-    {"bin", "DEGREES", "width of the bins of impacts", "5"},
+    {"bin", "DEGREES",
+     "width of the bins of impacts; clusters of angles narrower than it stay whole", "5"},
     {"samples", "N",
      "simulated impacts per bin; by default 10 for each measured one, 2000 to 20000", NULL},
     {.name = NULL}};

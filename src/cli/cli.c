@@ -58,8 +58,7 @@ static const char *unknown_word(int argc, char **argv) {
   return argv[done ? optind - 1 : optind];
 }
 
-/* The options of a command: its own, and those of all. */
-static void list_options(cli_call *call) {
+void cli_list_options(cli_call *call) {
   const cli_option common[] = {
       {"output", "FILE", "write to FILE instead of the screen", NULL},
       {"plot", "FILE", call->command->picture, NULL},
@@ -119,8 +118,7 @@ static void read_options(cli_call *call, int argc, char **argv) {
   }
 }
 
-/* Number of words before the first option; `-0.5` is a number and no option. */
-static int count_words(int argc, char **argv) {
+int cli_count_words(int argc, char **argv) {
   int count = 1;
   while (count < argc && !(argv[count][0] == '-' &&
                            (isalpha((unsigned char)argv[count][1]) || argv[count][1] == '-')))
@@ -133,11 +131,11 @@ cli_call cli_parse(const cli_command *command, int argc, char **argv) {
   cli_call call = {.command = command,
                    .argc = argc,
                    .argv = argv,
-                   .n_words = before ? count_words(argc, argv) : 0,
+                   .n_words = before ? cli_count_words(argc, argv) : 0,
                    .words = argv + 1};
   char **rest = argv + call.n_words;
   argc -= call.n_words;
-  list_options(&call);
+  cli_list_options(&call);
   read_options(&call, argc, rest);
   check_files(&call);
   if (command->takes_files) {

@@ -53,6 +53,12 @@ struct cli_call {
  * file that is to be written cannot be. */
 cli_call cli_parse(const cli_command *command, int argc, char **argv);
 
+/* Lists the options of a command: its own, and those of all. */
+void cli_list_options(cli_call *call);
+
+/* Number of words between the first one and the first option; `-0.5` is a number and no option. */
+int cli_count_words(int argc, char **argv);
+
 /* An option of the command by name; its value; true if the value is not the default. */
 const cli_option *cli_get(const cli_call *call, const char *name);
 const char *cli_value(const cli_call *call, const char *name);
@@ -125,6 +131,11 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
+/* Erases the line of progress and removes the file that is not whole, as an exit does and a signal
+ * that ends the program, once cli_clean_up_later is called. */
+void cli_clean_up(void);
+void cli_clean_up_later(void);
+
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
@@ -146,8 +157,8 @@ void cli_print_comment(FILE *out, const char *text);
 /* A text in quotes, with quotes inside it doubled. */
 void cli_print_quoted(FILE *out, const char *text);
 
-/* Percents on stderr when that is a terminal and the work takes over a second; done counts up to
- * total. */
+/* Percents and the time left at the mean rate, on stderr when that is a terminal; done counts up to
+ * total. cli_erase_progress may be called by a signal. */
 typedef struct cli_progress {
   const char *what;
   double total;
@@ -156,6 +167,7 @@ typedef struct cli_progress {
 cli_progress cli_progress_begin(const char *what, double total);
 void cli_progress_show(void *progress, double done); /* a cli_progress */
 void cli_progress_end(cli_progress *progress);
+void cli_erase_progress(void);
 
 /* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
  * file that cannot be written. cli_parse asks before any work is done. */
@@ -176,5 +188,9 @@ void cli_help_all(const cli_command *const *commands);
 
 /* Prints the words that describe a wall, from their table. */
 void cli_help_wall(void);
+
+/* Prints the words that may follow these of a command line, FILE for the name of a file: for the
+ * shell's completion. */
+void cli_help_words(const cli_command *const *commands, int count, char **words);
 
 #endif

@@ -154,7 +154,8 @@ static void run(cli_call *call) {
 
 static const cli_option options[] = {{"bin", "DEGREES",
                                       "width of the bins of single impacts; by default a bin for "
-                                      "each place that was measured often, else " WIDTH,
+                                      "each place that was measured often, else " WIDTH
+                                      "; clusters of angles narrower than it stay whole",
                                       NULL},
                                      {"near", "DEGREES[,SPEED[,SIZE]]",
                                       "a place without simulated impacts takes those within this "

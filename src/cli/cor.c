@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* m/s */
 #define SPEED_LEAST 1e-9
@@ -190,7 +191,9 @@ static void draw_angle(const scene *s, double angle, size_t count, size_t tag, r
 }
 
 static void draw(const scene *s, const cli_list *angles, size_t samples, sink *to) {
-  to->progress = cli_progress_begin("impacts", (double)(samples * angles->count));
+  to->progress.shown = INFINITY; /* no bar among rows on the screen */
+  if (to->rows != stdout || !isatty(STDOUT_FILENO))
+    to->progress = cli_progress_begin("impacts", (double)(samples * angles->count));
   row *rows = cli_allocate(BLOCK, sizeof *rows);
   for (size_t a = 0; a < angles->count; a++)
     draw_angle(s, angles->values[a], samples, a * samples, rows, to,

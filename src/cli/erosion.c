@@ -147,9 +147,9 @@ static void run(cli_call *call) {
   read_ledger(&w);
   if (density->value && w.has_mass)
     cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
-  FILE *out = cli_table_open(call, d.text);
+  FILE *out = cli_output_open(call, "output", d.text);
   print_all(out, &w);
-  cli_table_close(call, out, "erosion");
+  cli_file_close(out);
 }
 
 static const cli_option options[] = {
@@ -176,6 +176,5 @@ const cli_command cli_erosion = {
                 "  $ asperity erosion impacts.csv erosion oka 1.8GPa density 7850kg/m3 "
                 "--density 2650kg/m3\n",
     .options = options,
-    .picture = "draw the mass worn off each triangle; .png, .svg or .pdf",
     .run = run,
 };

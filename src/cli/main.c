@@ -33,6 +33,11 @@ int main(int argc, char **argv) {
     cli_file_close(stdout);
     return 0;
   }
+  if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "--words") == 0) {
+    cli_help_words(commands, argc - 3, argv + 3);
+    cli_file_close(stdout);
+    return 0;
+  }
   if (strcmp(word, "help") == 0 && argc > 2) {
     char *arguments[] = {argv[2], "--help", NULL};
     cli_parse(find(argv[2]), 2, arguments);

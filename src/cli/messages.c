@@ -5,6 +5,7 @@
 #include "cli/cli.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,10 @@
 #include <unistd.h>
 
 static void say(const char *kind, const char *format, va_list args) {
-  fprintf(stderr, "asperity: %s", kind);
+  const char *plain = getenv("NO_COLOR");
+  bool color = *kind && isatty(STDERR_FILENO) && !(plain && *plain);
+  cli_erase_progress();
+  fprintf(stderr, color ? "asperity: \033[33m%s\033[0m" : "asperity: %s", kind);
   vfprintf(stderr, format, args);
   fputc('\n', stderr);
 }
@@ -74,6 +78,16 @@ void cli_warn(const char *format, ...) {
   va_end(args);
 }
 
+/* ---- progress ---- */
+
+static volatile sig_atomic_t line_shown;
+
+void cli_erase_progress(void) {
+  static const char blank[] = "\r                                        \r";
+  if (line_shown && write(STDERR_FILENO, blank, sizeof blank - 1) > 0)
+    line_shown = false;
+}
+
 /* Seconds on a monotonic clock. */
 static double seconds(void) {
   struct timespec now;
@@ -83,19 +97,31 @@ static double seconds(void) {
 
 cli_progress cli_progress_begin(const char *what, double total) {
   double now = seconds();
-  return (cli_progress){what, total, now, isatty(STDERR_FILENO) ? now : INFINITY};
+  cli_progress progress = {what, total, now, isatty(STDERR_FILENO) ? now - 1 : INFINITY};
+  cli_clean_up_later();
+  cli_progress_show(&progress, 0);
+  return progress;
 }
 
 void cli_progress_show(void *of, double done) {
   cli_progress *progress = of;
-  double now = seconds();
-  if (now - progress->begun < 1 || now - progress->shown < 0.1)
+  double now = seconds(), share = fmin(1, done / progress->total);
+  if (now - progress->shown < 0.1)
     return;
-  fprintf(stderr, "\r%s %3.0f %%", progress->what, 100 * fmin(1, done / progress->total));
+  char left[32] = "";
+  double rest = share > 0 ? ceil((now - progress->begun) * (1 - share) / share) : INFINITY;
+  if (rest < 60)
+    snprintf(left, sizeof left, ", %.0f s left", rest);
+  else if (rest < 6000)
+    snprintf(left, sizeof left, ", %.0f min left", ceil(rest / 60));
+  else if (share > 0)
+    snprintf(left, sizeof left, ", %.1f h left", rest / 3600);
+  line_shown = true;
+  fprintf(stderr, "\r%.16s %3.0f %%%-16.16s", progress->what, 100 * share, left);
   progress->shown = now;
 }
 
 void cli_progress_end(cli_progress *progress) {
-  if (isfinite(progress->shown) && progress->shown > progress->begun)
-    fprintf(stderr, "\r%*s\r", (int)strlen(progress->what) + 6, "");
+  progress->shown = INFINITY;
+  cli_erase_progress();
 }

@@ -22,18 +22,19 @@ static const char *written;
  * removes; NULL: there is none. */
 static char *volatile partial;
 
-static void remove_partial(void) {
+void cli_clean_up(void) {
+  cli_erase_progress();
   if (partial)
     unlink(partial);
   partial = NULL;
 }
 
 static void end_by_signal(int number) {
-  remove_partial();
+  cli_clean_up();
   raise(number); /* the handler is gone */
 }
 
-static void remove_at_the_end(void) {
+void cli_clean_up_later(void) {
   static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
   static bool is_set_up;
   for (size_t i = 0; i < sizeof signals / sizeof *signals && !is_set_up; i++) {
@@ -41,7 +42,7 @@ static void remove_at_the_end(void) {
     if (sigaction(signals[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
       sigaction(signals[i], &clean, NULL);
   }
-  is_set_up = is_set_up || atexit(remove_partial) == 0;
+  is_set_up = is_set_up || atexit(cli_clean_up) == 0;
 }
 
 /* True if a file must not be replaced by another one: a device, a pipe, standard output. */
@@ -56,7 +57,7 @@ static FILE *open_partial(const char *path) {
   char *name = cli_allocate(size, 1);
   snprintf(name, size, "%s.%ld.partial", path, (long)getpid());
   FILE *stream = fopen(name, "wxe");
-  remove_at_the_end();
+  cli_clean_up_later();
   partial = stream ? name : NULL;
   return stream;
 }
@@ -81,7 +82,7 @@ void cli_file_check(const char *path) {
   if (direct)
     return;
   fclose(cli_file_open(path));
-  remove_partial();
+  cli_clean_up();
 }
 
 void cli_file_close(FILE *stream) {

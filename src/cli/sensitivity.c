@@ -92,9 +92,10 @@ static void take_heading(study *s, const char *name, const char *heading) {
   if (own)
     own[strlen(own) - strlen(end)] = '\0';
   if (!own && !name)
-    cli_bad_usage("%s: its first line has no 'fix ID wall/rebound'; --name must give the name of "
-                  "the wall, as 'kinematicCloud:.*' of a cloud and an entry of its walls",
-                  s->path);
+    cli_bad_usage(
+        "%s: its first line has no 'fix ID wall/rebound', so no fix wrote it; for a cloud "
+        "of OpenFOAM --name must give the wall, as 'kinematicCloud:.*'",
+        s->path);
   s->has_mass = own != NULL;
   s->has_erosion = strstr(heading, " erosion ");
   s->key.seed = (uint32_t)asp_description_get(s->own.words, "seed");

@@ -27,6 +27,7 @@ struct asp_description {
   unsigned of_law, of_erosion; /* a bit for each parameter of the law whose word is given */
   const char *last;            /* the clause that was read last */
   asp_error broken;            /* the error of a clause that could not be read; it stays */
+  struct aspi_offers *offers;  /* NULL: they are not asked for */
   uint8_t kind;                /* an aspi_surface_kind */
   uint8_t deposit;             /* an aspi_deposit */
   double sigma;                /* degrees */

@@ -10,12 +10,13 @@
 /* ---- spread ---- */
 
 asp_code aspi_spread_read(aspi_words *r, const aspi_keyword *k) {
-  const char *name = aspi_words_word(r, k->name);
-  if (!name)
-    return ASP_EARG;
   char list[ASPI_LIST_MOST] = "";
   for (int i = 1; i < asp_spread_count(); i++) /* 0 is `none`, that of smooth walls */
     aspi_append(list, sizeof list, "%s%s", i > 1 ? " " : "", asp_spread_name(asp_spread_at(i)));
+  aspi_words_offer(r, list);
+  const char *name = aspi_words_word(r, k->name);
+  if (!name)
+    return ASP_EARG;
   r->d->spread = asp_spread_find(name, NULL);
   return r->d->spread && r->d->spread != asp_spread_at(0)
              ? ASP_OK
@@ -70,6 +71,7 @@ static asp_code read_parameter(aspi_words *r, const aspi_keyword *k, const asp_p
                                .may_fit = k->may_fit};
   if (!p->words)
     return aspi_words_number(r, &number, value);
+  aspi_words_offer(r, p->words);
   const char *given = aspi_words_word(r, p->name);
   return given ? aspi_parameter_read(p, given, value, r->error) : ASP_EARG;
 }
@@ -114,6 +116,9 @@ static asp_code read_table(aspi_words *r) {
 
 asp_code aspi_law_read(aspi_words *r, const aspi_keyword *k) {
   asp_description *d = r->d;
+  const int count = is_erosion(k) ? aspi_erosion_count() : asp_rebound_count();
+  for (int i = 0; i < count; i++)
+    aspi_words_offer(r, is_erosion(k) ? aspi_erosion_at(i)->name : asp_rebound_at(i)->name);
   const char *name = aspi_words_word(r, k->name);
   if (!name)
     return ASP_EARG;

@@ -61,6 +61,8 @@ asp_code aspi_names_read(aspi_words *r, const aspi_keyword *k) {
       return aspi_fail(r->error, ASP_ENOMEM, "out of memory for a description");
     d->names[d->n_materials++] = name;
   }
+  for (int i = 0; i < asp_material_count(); i++)
+    aspi_words_offer(r, asp_material_name(asp_material_at(i)));
   return ASP_OK;
 }
 

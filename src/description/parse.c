@@ -27,6 +27,7 @@ static const aspi_keyword *take_keyword(aspi_words *r, const aspi_keyword *of, b
 
 /* The word's number among those of `freeze | delete | off`. */
 static asp_code read_choice(aspi_words *r, const aspi_keyword *k, uint8_t *place) {
+  aspi_words_offer(r, k->values);
   const char *given = aspi_words_word(r, k->name);
   int index = given ? aspi_word_index(k->values, given, strlen(given), true) : 0;
   if (!given)
@@ -179,6 +180,25 @@ static asp_code parse(asp_description *d, char *text, asp_error *error) {
   }
   free(words);
   return code ? code : asp_description_check(d, error);
+}
+
+bool aspi_description_offer(aspi_offers *offers, int count, const char *const *words) {
+  asp_error error;
+  asp_description *d = aspi_description_create(NULL, &error);
+  if (!d)
+    return false;
+  d->may_fit = true;
+  d->offers = offers;
+  asp_code code = ASP_OK;
+  for (int next = 0, taken; next < count && !code; next += taken)
+    code = asp_description_read(d, count - next, words + next, "", &taken, &error);
+  const aspi_words end = {.d = d};
+  for (const aspi_keyword *k = aspi_keywords; k->name && !code; k++)
+    if (!*k->within)
+      aspi_words_offer(&end, k->name);
+  bool may_end = !code || !offers->at_end;
+  asp_description_free(d);
+  return may_end;
 }
 
 asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error) {

@@ -15,7 +15,22 @@ bool aspi_words_next_is(const aspi_words *r, const char *word) {
   return r->next < r->count && strcmp(r->words[r->next], word) == 0;
 }
 
+void aspi_words_offer(const aspi_words *r, const char *list) {
+  aspi_offers *offers = r->d->offers;
+  if (!offers || r->next < r->count)
+    return;
+  offers->at_end = true;
+  for (size_t n; *(list += strspn(list, " |")); list += n) {
+    char word[64];
+    n = strcspn(list, " |");
+    snprintf(word, sizeof word, "%.*s", (int)n, list);
+    if (!aspi_is_given(r->d, word) && !aspi_words_in_list(word, offers->list))
+      aspi_append(offers->list, sizeof offers->list, "%s%s", *offers->list ? " " : "", word);
+  }
+}
+
 bool aspi_words_take(aspi_words *r, const char *word) {
+  aspi_words_offer(r, word);
   bool here = aspi_words_next_is(r, word);
   r->next += here;
   return here;
@@ -32,6 +47,7 @@ bool aspi_words_number_next(const aspi_words *r) {
 const char *aspi_words_word(aspi_words *r, const char *name) {
   if (r->next < r->count)
     return r->words[r->next++];
+  aspi_words_offer(r, "");
   aspi_fail(r->error, ASP_EARG, "the value of '%s' is missing", name);
   return NULL;
 }
@@ -59,6 +75,7 @@ char *aspi_words_copy(const char *text, asp_error *error) {
 }
 
 asp_code aspi_words_file(aspi_words *r, const char *name, char **file) {
+  aspi_words_offer(r, "FILE");
   const char *given = aspi_words_word(r, name);
   if (!given)
     return ASP_EARG;

@@ -9,6 +9,12 @@
 
 #include <string.h>
 
+/* The words that the parser looks for behind the last one, for the shell's completion. */
+typedef struct aspi_offers {
+  char list[2000]; /* with blanks between; FILE stands for the name of a file */
+  bool at_end;     /* the parser has looked behind the last word */
+} aspi_offers;
+
 /* The words of a clause, of which `next` comes next, and the description that they go into. */
 typedef struct aspi_words {
   asp_description *d;
@@ -22,6 +28,9 @@ typedef struct aspi_words {
 bool aspi_words_next_is(const aspi_words *words, const char *word);
 bool aspi_words_take(aspi_words *words, const char *word);
 bool aspi_words_number_next(const aspi_words *words);
+
+/* Offers the words of a list, `freeze | delete | off`, if they would come behind the last word. */
+void aspi_words_offer(const aspi_words *words, const char *list);
 
 /* Takes the next word; NULL and a message that the value of `name` is missing where there is none.
  */
@@ -84,6 +93,10 @@ typedef struct aspi_form {
 
 /* The form of a keyword's value. */
 const aspi_form *aspi_form_of(const aspi_keyword *keyword);
+
+/* parse.c: offers what may follow these words, which need not be complete. True if they may end
+ * here, or are no description. */
+bool aspi_description_offer(aspi_offers *offers, int count, const char *const *words);
 
 /* surface.c */
 asp_code aspi_lambda_c_read(aspi_words *words, const aspi_keyword *keyword);

@@ -55,8 +55,8 @@ head -c 4 cor.png | grep -q PNG && head -c 4 cor.pdf | grep -q PDF || die "cor -
 "$asperity" cor surface rq 5um lambda_c 40um --samples 20 | rows /dev/stdin | cmp - <(rows drawn.csv) || die "cor --plot: another table"
 "$asperity" cor surface rq 5um lambda_c 40um --samples 500 --plot cor.svg -o c 2> err
 grep -q 'outside: .* of ' cor.svg && grep -q 'one of 3' cor.svg || die "cor --plot: what it leaves out"
-[ "$(grep -c '>mean ± sd' cor.svg)" = 1 ] || die "cor --plot: more than one legend"
-grep -q 'CoR_N' cor.svg && grep -q 'lambda_c' cor.svg && ! grep -q warning err || die "cor --plot: names with _"
+[ "$(grep -c '<text>mean ± sd' cor.svg)" = 1 ] || die "cor --plot: more than one legend"
+[ "$(grep -c '>CoR<.*>[NT]<' cor.svg)" = 2 ] && grep -q 'lambda_c' cor.svg && ! grep -q warning err || die "cor --plot: names with _"
 "$asperity" cor surface sigma 5 --samples 1 --angles 45 --plot cor.svg -o c 2> err
 ! grep -q warning err && grep -q 'share of the rebounds' cor.svg || die "cor --plot of one impact: $(cat err)"
 "$asperity" cor surface sigma 5 --speed 0.01 --samples 5 --plot cor.svg -o c 2> err || die "cor --plot where all stick: $(cat err)"
@@ -71,6 +71,12 @@ for kind in "--columns own" "--columns ledger" --summary; do
   esac
   [ "$stuck" -gt 0 ] && [ "$stuck" -lt 450 ] && [ "$(grep -c ">$stuck of 450 impacts stick<" cor.svg)" = 1 ] || die "cor $kind --plot: not $stuck of 450 stick"
 done
+"$asperity" cor surface sigma 5 --angles 20,40 --samples 9 --plot cor.svg -o c 2> err
+! grep -q warning err && ! grep -q '±' cor.svg || die "cor --plot: a mean of 9 impacts: $(cat err)"
+"$asperity" cor surface smooth --angles 30 --plot cor.svg -o c 2> err
+! grep -q warning err && grep -q 'all 0.304<' cor.svg && ! grep -q polygon cor.svg || die "cor --plot without scatter: $(cat err)"
+"$asperity" spread surface sigma 0.3 --plot spread.svg -o s 2> err
+[ "$(grep -c polygon spread.svg)" -gt 10 ] || die "spread --plot: bins wider than the spread"
 for kind in --summary --capture; do
   "$asperity" cor surface sigma 5 --angles 45 --dp 1um,2um --speed 1,2 $kind --plot $kind.svg -o c 2> err && grep -q '<svg' ./$kind.svg || die "cor $kind --plot: $(cat err)"
 done
@@ -168,3 +174,21 @@ plot=$(dirname "$asperity")/../share/asperity/plot
 gnuplot -c "$plot/cor.gp" c long.svg 'a long title of many short words that does not fit on one line of a small picture' 400x300 -2:7
 [ "$(grep -c 'a long title\|small picture' long.svg)" = 2 ] || die "a long title stays on one line"
 grep -q 'width="400" height="300"' long.svg && grep -q '> *7<' long.svg && grep -q '> *-2<' long.svg || die "size and range of a picture"
+
+# On a terminal: percents from the beginning on with the time left, gone at the end and at Ctrl-C; warnings in color. Its
+# last characters are those that blank the line.
+on_terminal() { script -qefc "$*" log < "${keys:-/dev/null}" > /dev/null; }
+on_terminal timeout -s INT 2 "$asperity" trade surface rq 5um lambda_c 40um --dp 10um -o out.csv || true
+grep -q 'ensemble   0 %' log || die "no percents at the beginning: $(cat -A log)"
+on_terminal "$asperity" cor surface sigma 5 --angles 30 --samples 2000000 --summary -o out.csv
+grep -qE 'impacts +[0-9]+ %, [0-9]+ s left' log || die "no time left: $(cat -A log)"
+tr '\r' '\n' < log | grep -A 9 ' left' | grep -qx ' \{40\}' || die "the percents stay: $(cat -A log)"
+mkfifo keys; { sleep 1; printf '\003'; sleep 1; } > keys &
+keys=keys on_terminal "$asperity" cor surface sigma 5 --angles 30 --samples 100000000 --summary -o out.csv && die "Ctrl-C"
+tr '\r' '\n' < log | sed '/^Script/d; /^$/d' | tail -n 1 | grep -qx ' \{40\}' || die "Ctrl-C leaves the percents: $(cat -A log)"
+[ -z "$(find . -name '*.partial')" ] || die "Ctrl-C leaves a partial file"
+on_terminal "$asperity" cor yield_stress 2e10 --samples 1 --angles 45 -o out.csv
+grep -q $'\033\[33mwarning: \033\[0m' log || die "a warning without color: $(cat -A log)"
+on_terminal env NO_COLOR=1 "$asperity" cor yield_stress 2e10 --samples 1 --angles 45 -o out.csv
+grep -q '^asperity: warning: ' log || die "a color in spite of NO_COLOR: $(cat -A log)"
+! "$asperity" cor yield_stress 2e10 --samples 1 --angles 45 2>&1 > /dev/null | grep -q $'\033' || die "a color in a file"

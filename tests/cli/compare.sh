@@ -187,7 +187,7 @@ printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
 "$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err
 grep -q 'outside: 2 of ' off_axis.svg && grep -q 'far_off' off_axis.svg || die "compare --plot: what it leaves out"
 grep -q 'quarter' p.svg && grep -q 'half' p.svg || die "compare --plot: no names"
-key=$(grep -B 1 -m 1 'measured, mean' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
+key=$(grep -B 1 -m 1 '<text>measured, mean' p.svg | grep -oE 'translate\([0-9.]+,[0-9.]+' | cut -d, -f2)
 frame=$(grep "stroke='rgb( 68,  68,  68)'" p.svg | grep -oE "d='M[0-9.]+,[0-9.]+" | cut -d, -f2 | sort -g | head -n 1)
 awk -v key="$key" -v frame="$frame" 'BEGIN { exit !(key > 0 && key < frame) }' || die "compare --plot: the key at $key is within the panel, from $frame on"
 
@@ -219,4 +219,13 @@ for output in half ./link; do
   refuses 2 "is '$output', which is read" -- compare half -o $output
 done
 cmp -s half kept || die "the data were written over"
+
+# A laboratory's angles, to half a degree on both sides of a border: a bin for each of them.
+awk 'BEGIN { srand(3); print "alpha1_deg,cor_n,cor_t"
+  for (a = 15; a <= 75; a += 15) for (i = 0; i < 30; i++) printf "%.3f,%.3f,%.3f\n", a + rand() - 0.5, 0.7 + 0.1 * rand(), 0.8 }' > lab
+"$asperity" compare lab lab --near 1 --plot lab.svg > got 2> err
+[ "$(rows got | grep -c ^cor_n)" = 5 ] || die "compare: clusters are cut: $(cat got err)"
+"$asperity" calibrate lab rebound constant fit 0.8 --samples 100 2> err | grep -q ' 5 bins, 150 impacts' || die "calibrate: clusters are cut: $(cat err)"
+"$asperity" compare lab lab --near 1 --bin 0.2 2> err > got
+[ "$(rows got | grep -c ^cor_n)" -gt 5 ] || die "compare --bin 0.2: $(cat got err)"
 exit 0

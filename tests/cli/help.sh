@@ -28,8 +28,9 @@ if command -v help2man > /dev/null; then
 fi
 
 # Completion.
+touch myfile.csv
 source "$root/src/cli/asperity.bash"
-complete_words() { COMP_WORDS=("$asperity" "$@"); COMP_CWORD=$(($#)); _asperity; }
+complete_words() { COMP_LINE="$asperity $*"; COMP_POINT=${#COMP_LINE}; _asperity; }
 complete_words help wal; [ "${COMPREPLY[*]}" = wall ] || die "completes help wall: ${COMPREPLY[*]}"
 complete_words tra; [ "${COMPREPLY[*]}" = trade ] || die "completes commands: ${COMPREPLY[*]}"
 complete_words cor --sam; [ "${COMPREPLY[*]}" = --samples ] || die "completes options: ${COMPREPLY[*]}"
@@ -37,7 +38,18 @@ complete_words cor materials ard hast; [ "${COMPREPLY[*]}" = hastelloy-x ] || di
 complete_words cor surface sigma 5 spread trun; [ "${COMPREPLY[*]}" = truncated ] || die "completes models: ${COMPREPLY[*]}"
 complete_words cor surface sigma 5 spread visible iso; [ "${COMPREPLY[*]}" = isotropic ] || die "completes choices: ${COMPREPLY[*]}"
 complete_words cor rebound thorn; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes laws: ${COMPREPLY[*]}"
-touch myfile.csv
+complete_words cor rebound wal; [ "${COMPREPLY[*]}" = walton ] || die "completes what is no law: ${COMPREPLY[*]}"
+complete_words cor deposit off grain ''; [ "${COMPREPLY[*]}" = "sphere lever" ] || die "completes the values of grain: ${COMPREPLY[*]}"
+complete_words cor surface rq 5um ''; [ "${COMPREPLY[*]}" = "lambda_c rdq rsm lay dp_bins" ] || die "completes what must follow rq: ${COMPREPLY[*]}"
+complete_words cor surface rq 5um lambda_c ''; [ -z "${COMPREPLY[*]}" ] || die "completes a number: ${COMPREPLY[*]}"
+complete_words cor surface rq 5um lambda_c 9um s; [ "${COMPREPLY[*]}" = "spread surface_energy seed" ] || die "completes the next clause: ${COMPREPLY[*]}"
+complete_words surface surface rq 1um lambda_c 9um --gaps ""; [ "${COMPREPLY[*]}" = "refuse fill" ] || die "completes the values of an option: ${COMPREPLY[*]}"
+complete_words surface surface rq 1um,2um lambda_c 9um --sa; [ "${COMPREPLY[*]}" = --save ] || die "completes options behind a list: ${COMPREPLY[*]}"
+complete_words calibrate myfile.csv friction fit=0.1 rebound thorn; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes behind fit=: ${COMPREPLY[*]}"
+for begun in compare calibrate "erosion" "compare myfile.csv" "cor -o" "cor surface profile" "cor rebound table" "compare --columns no.csv"; do
+  complete_words $begun my; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes the file behind $begun: ${COMPREPLY[*]}"
+done
+complete_words cor my; [ -z "${COMPREPLY[*]}" ] || die "completes a file where none may be: ${COMPREPLY[*]}"
 complete_words cor -o myf; [ "${COMPREPLY[*]}" = myfile.csv ] || die "completes files: ${COMPREPLY[*]}"
 
 # Lists with ranges, whole numbers with exponents.

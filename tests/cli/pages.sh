@@ -7,6 +7,7 @@ source "$(dirname "$0")/cli.sh"
 pages=$(cd "$root" && { git ls-files '*.md' 2> /dev/null || find . -name '*.md' -not -path './build*' -printf '%P\n'; })
 [ "$(wc -w <<< "$pages")" -ge 15 ] || die "pages: $pages"
 
+[ "$(wc -w < "$root/README.md")" -le 700 ] || die "README.md has $(wc -w < "$root/README.md") words"
 links=0
 while IFS=: read -r page link; do
   case $link in http*) continue ;; esac
@@ -38,6 +39,9 @@ while read -r line; do
   done
 done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/src/cli/README.md")
 [ "$written" != ' ' ] || die "src/cli/README.md: no command"
+
+# A ledger of the command cor has not the columns that sensitivity reads: no block makes one from the other.
+! sed -n 's/^build\/bin\/asperity //p' "$root/src/cli/README.md" | grep -q '^sensitivity' || die "src/cli/README.md: sensitivity reads a ledger that cor wrote"
 
 /usr/bin/python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
 "$asperity" surface surface rq 5um lambda_c 40um --points 8192 -o cor.csv

@@ -122,3 +122,10 @@ grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)
 refuses 2 --dp 0.1um 0.5um -- surface surface profile waves.csv --dp 0.1um
 refuses 2 d_p "profile's length" -- surface surface profile waves.csv --dp 1m
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"
+
+# The picture has all of the particle, also where it bridges the most at the end of the profile.
+"$asperity" surface surface profile "$root/examples/measured_profile/blade.csv" --gaps fill --spikes 12 --form 2 --dp 20um --plot wall.svg > out 2> err
+awk -v RS="'/>" "/rgb\\(  0, 158, 115\\)'  d='M/ { sub(/.*d='M/, \"\"); gsub(/[^0-9.,]+/, \" \"); path = \$0 } END { print path }" wall.svg |
+  awk '{ for (i = 1; i <= NF; i++) { split($i, p, ","); if (i == 1 || p[1] < a) a = p[1]; if (i == 1 || p[1] > b) b = p[1]
+      if (i == 1 || p[2] < c) c = p[2]; if (i == 1 || p[2] > d) d = p[2] } exit !(NF > 50 && (b - a - (d - c)) ^ 2 < 4) }' ||
+  die "surface --plot cuts the particle"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every command in the Examples of the fix's page runs as it stands there, and so does the script of README.md; and the
+# Every command in the Examples of the fix's page runs as it stands there, and so does the whole script of README.md, or of
+# the page; and the
 # page, or that of both engines, has every keyword in a table.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/engine.sh"
@@ -42,10 +43,10 @@ run 200"; } > example.in
   fi
 done < examples
 
-# The whole script of README.md runs as it stands there, without a warning.
+# The whole script runs as it stands there, without a warning: that of LAMMPS in README.md, that of LIGGGHTS on the page.
 kind=sphere; [ $simulator != liggghts ] || kind=granular
 awk -v kind=$kind '/^```/ { if (text ~ "atom_style +" kind) printf "%s", text; text = ""; next } { text = text $0 "\n" }' \
-  "$here/../../README.md" > readme.in
+  "$here/../../README.md" "$here/../../src/liggghts/fix_wall_rebound.md" > readme.in
 "$bin/$simulator-asperity" -in readme.in -log none > readme.screen 2>&1 || die "the script of README.md: $(tail -n 3 readme.screen)"
 if grep WARNING readme.screen; then die "the script of README.md warns"; fi
 grep -qE '^ +600 +2795 +2800 +60 *$' readme.screen || die "the script of README.md has other impacts"

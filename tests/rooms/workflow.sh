@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The workflow and its scripts name scripts that are there, and tests that are there: each word of a filter of ctest
-# meets one. A script that starts an engine has Open MPI's session folder for itself. Usage: workflow.sh BUILD
+# meets one. A script that starts an engine has Open MPI's session folder for itself. examples/run installs and builds
+# what the cases need, and no more. Usage: workflow.sh BUILD
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -21,4 +22,29 @@ launching=$(find examples tests .ci \( -name run -o -name '*.sh' \) -not -path '
 for script in $launching; do
   grep -qE 'OMPI_MCA_orte_tmpdir_base=|^source .*/engine\.sh"' "$script" || say "$script starts an engine without OMPI_MCA_orte_tmpdir_base"
 done
+
+# A copy with cases that do nothing, on a machine with no package, whose apt-get and cmake note what they are to do.
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/bin" "$work/examples" "$work/build"
+cp -r cmake "$work"; cp examples/run "$work/examples"
+for case in examples/*/run; do install -D <(sed '1a exit' "$case") "$work/$case"; done
+for name in apt-get cmake; do printf '#!/bin/sh\necho %s "$@" >> %s/log\n' $name "$work" > "$work/bin/$name"; done
+printf '#!/bin/sh\nexit 1\n' > "$work/bin/dpkg-query"; printf '#!/bin/sh\nexec "$@"\n' > "$work/bin/sudo"
+chmod +x "$work"/bin/*
+asked() { # WORDS THAT MUST BE ASKED FOR -- AND NOT -- COMMAND
+  local wanted=() not=() word
+  while [ "$1" != -- ]; do wanted+=("$1"); shift; done; shift
+  while [ "$1" != -- ]; do not+=("$1"); shift; done; shift
+  rm -f "$work/log"
+  (cd "$work" && PATH=$work/bin:$PATH "$@" > out 2>&1) || say "$*: $(cat "$work/out")"
+  for word in "${wanted[@]}"; do grep -qE -- "[ =]$word( |$)" "$work/log" || say "$* does not ask for $word: $(cat "$work/log")"; done
+  for word in "${not[@]}"; do ! grep -qE -- "[ =]$word( |$)" "$work/log" || say "$* asks for $word"; done
+}
+for_tests="liblammps-dev libcmocka-dev valgrind help2man python3-sphinx python3-numpy python3-pip"
+asked libliggghts-dev libgsl-dev gnuplot-nox asperity_command liggghts-asperity -DASPERITY_LAMMPS=OFF -- $for_tests lammps-asperity all -- examples/run
+asked liblammps-dev lammps-asperity -DASPERITY_LIGGGHTS=OFF -- libliggghts-dev python3-sphinx all -- examples/run flat_plate --engine lammps
+asked liblammps-dev lammps-asperity libliggghts-dev liggghts-asperity -- python3-sphinx -- examples/run hopper rotating_drum
+asked weibull_fit -- libopenmpi-dev liggghts-asperity -- examples/run paper_figures
+asked $for_tests libliggghts-dev installed -DASPERITY_LAMMPS=ON -- all -- examples/run c_program
+asked $for_tests libliggghts-dev all -DASPERITY_LIGGGHTS=ON -DASPERITY_LAMMPS=ON -DASPERITY_TESTS=ON -- openfoam -- cmake/prepare
 exit $bad

@@ -6,9 +6,9 @@ table = given[1]; picture = given[2]; title = given[3]; size = given[4]; range =
 load here.'look.gp'
 if (strlen(size)) { width = int(size[1:strstrt(size, 'x') - 1]); height = int(size[strstrt(size, 'x') + 1:*]) }
 ending = picture[strlen(picture) - 2:*]
-if (ending eq 'svg') { set term svg noenhanced size width,height font 'sans,14' background 'white' }
-if (ending eq 'pdf') { set term pdfcairo noenhanced size width / 96.,height / 96. font 'sans,11' }
-if (ending eq 'png') { set term pngcairo noenhanced size width,height font 'sans,11' }
+if (ending eq 'svg') { set term svg enhanced size width,height font 'sans,14' background 'white' }
+if (ending eq 'pdf') { set term pdfcairo enhanced size width / 96.,height / 96. font 'sans,11' }
+if (ending eq 'png') { set term pngcairo enhanced size width,height font 'sans,11' }
 if (picture[1:1] ne '-') { set output picture } # else to standard output, as -.png
 set datafile separator ','
 set datafile missing NaN # a line goes on over rows of others
@@ -25,7 +25,7 @@ if (strlen(line)) { lines = lines + 1 }
 legend = 1 - (20. * lines + 8) / height
 top = legend - 62. / height
 left = 95. / width; right = 1 - 25. / width; bottom = 60. / height
-set key at screen 0.5,screen legend center top horizontal maxrows 2
+set key noenhanced at screen 0.5,screen legend center top horizontal maxrows 2
 set tmargin at screen top; set bmargin at screen bottom; set lmargin at screen left; set rmargin at screen right
 set multiplot title head noenhanced
 # The vertical axis: as the user wants it, or from and to.
@@ -56,8 +56,8 @@ set_label = "set label 1 outside(beyond, seen) at graph 1,1 right offset 0,0.7 f
 # How many of the impacts stick: above the first panel, or alone in the picture, where there is nothing else to draw.
 stuck = 0
 text_of_stuck(n) = sprintf('%.0f of %.0f impacts stick', stuck, n)
-set_stuck = "set label 2 stuck > 0 ? text_of_stuck(impacts) : '' at graph 0,1 left offset 0,0.7 font ',9'"
-set_all_stuck = "if (drawn == 0) { set label 2 text_of_stuck(impacts) at screen 0.5,0.5 center; unset border; unset tics; ".\
+set_stuck = "set label 2 text_of_stuck(hits) at graph 0,1 left offset 0,0.7 font ',9'"
+set_all_stuck = "if (drawn == 0) { set label 2 text_of_stuck(hits) at screen 0.5,0.5 center; unset border; unset tics; ".\
   "unset xlabel; unset ylabel; set xrange [0:1]; set yrange [0:1]; plot -1 notitle }"
 # Names, each once, of a list of words.
 add(list, w) = strstrt(' '.list, ' '.w.' ') ? list : list.w.' '

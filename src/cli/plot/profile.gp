@@ -14,17 +14,21 @@ place = 'set tmargin at screen upper(k); set bmargin at screen lower(k)'
 above = "at graph 0.5,1 center offset 0,0.7"
 # The particle: center less lowest point, which is on the closing.
 deepest = -1; i = 0
-find(x, z, closed, center) = (i = i + 1, closed - z > deepest ? (deepest = closed - z, x_deep = x, c_deep = center) : 0, \
-  d = (i == 1 ? 1e300 : d), d = min(d, 2 * (center - closed)), x_end = x, 1)
+size(x, closed, center) = (i = i + 1, d = (i == 1 ? 1e300 : d), d = min(d, 2 * (center - closed)), \
+  step = x - x_end, x_end = x, 1)
+find(x, z, closed, center) = (x >= d / 2 && x <= x_end - d / 2 && closed - z > deepest) ? \
+  (deepest = closed - z, x_deep = x, c_deep = center, 1) : 1
+x_end = 0
+stats table using (size(column('x_um'), column('closed_um'), column('center_um'))) nooutput
 stats table using (find(column('x_um'), column('z_um'), column('closed_um'), column('center_um'))) nooutput
 k = 0; @place
 set label 1 sprintf('profile, heights stretched%s', i > POINTS ? sprintf('; one of %d points', i / POINTS + 1) : '') @above
 set xlabel 'x / mm'; set xrange [0:x_end / 1000]
 plot table using (column('x_um') / 1000):(column('z_um')) every int(i / POINTS) + 1 with lines ls reference lw 0.7 notitle
 
-# To scale: 4 diameters, or more where the heights need it.
+# To scale: 4 diameters, or more where the heights or the points of the profile need it.
 k = 1; @place
-half = min(2 * d, x_end / 2)
+half = min(max(2 * d, 4 * step), x_end / 2)
 shape = (right - left) * width / ((upper(1) - lower(1)) * height)
 inside(x, v) = abs(x - x_mid) <= half ? v : NaN
 do for [turn=1:3] {

@@ -16,8 +16,8 @@ from = least - room; to = most + room
 group(d, v) = (over eq 'dp_um' ? '' : d).','.(over eq 'v1_m_s' ? '' : v)
 groups = ''
 stats table using (groups = add(groups, group(strcol('dp_um'), strcol('v1_m_s'))), column('alpha1_deg')) nooutput
-impacts = 0
-stats table using (impacts = impacts + column('impacts'), stuck = stuck + column('impacts') * column('capture_share'), 1) nooutput
+hits = 0
+stats table using (hits = hits + column('impacts'), stuck = stuck + column('impacts') * column('capture_share'), 1) nooutput
 part_of(g, k) = k == 1 ? g[1:strstrt(g, ',') - 1] : g[strstrt(g, ',') + 1:*]
 text(g) = (strlen(part_of(g, 1)) ? part_of(g, 1).' µm ' : '').(strlen(part_of(g, 2)) ? part_of(g, 2).' m/s' : '')
 with_group(g, v) = group(strcol('dp_um'), strcol('v1_m_s')) eq g ? v : NaN

@@ -1,4 +1,4 @@
-# The table of `asperity trade`: mean time per impact over all angles against the worst D_KL of the rebound angle, with
+# The table of `asperity trade`: mean time per impact over all angles against the worst D_{KL} of the rebound angle, with
 # its standard error. The line joins the models that no other beats in both.
 # gnuplot -c trade.gp TABLE PICTURE [TITLE [WIDTHxHEIGHT [FROM:TO]]]
 # SPDX-License-Identifier: GPL-3.0-or-later
