@@ -1,6 +1,7 @@
 /* A small engine: one grain hops along a rough plane under gravity until it lies in a valley. From
- * one face of the wall to the next it meets the mean wall. SPDX-License-Identifier:
- * GPL-3.0-or-later */
+ * one face of the wall to the next it meets the mean wall.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <asperity_engine.h>
 #include <math.h>
 #include <stdio.h>

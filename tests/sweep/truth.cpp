@@ -101,18 +101,18 @@ void roll(const char *path, const Row &row) {
  * Hall 2001): exponentially. */
 void remove() {
   const int n = 1000;
-  const double u_tau = 0.01, viscosity = 1.5e-5, rate = 0.00658 * u_tau * u_tau / viscosity;
-  const double d = 1e-5, dt = 0.1;
+  const double u_tau = 30, viscosity = 1.5e-5, rate = 0.00658 * u_tau * u_tau / viscosity;
+  const double d = 1e-5, dt = 1e-8;
   char words[200];
   snprintf(words, sizeof words,
            "materials quartz deposit freeze remove u_tau %g gas_density 1.2 gas_viscosity %g "
-           "adhesion 1e-9 adhesion_spread 1",
+           "adhesion 1e-4 adhesion_spread 1",
            u_tau, viscosity);
   GrainsAtWall s(plane(2, 0), words, n, d / 2, dt);
   s.engine.least = s.engine.most = d;
   s.grains.mass.assign(n, 2650 * ASP_PI / 6 * d * d * d);
   for (int i = 0; i < n; i++)
-    s.grains.put(static_cast<size_t>(i), {i * d, 0, d}, {0, 0, -0.01});
+    s.grains.put(static_cast<size_t>(i), {i * d, 0, 0.5 * d + 1e-12}, {0, 0, -1e-3});
   s.begin();
   s.grains.fly(1);
   expect("deposits", s.wall->stuck(), n, 0.1 * n);
@@ -125,8 +125,6 @@ void remove() {
            4 * sqrt(left * (1 - left) / first));
   }
 }
-
-/* ---- bodies ---- */
 
 /* ---- bodies ---- */
 
