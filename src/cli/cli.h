@@ -131,10 +131,12 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
-/* Erases the line of progress and removes the file that is not whole, as an exit does and a signal
- * that ends the program, once cli_clean_up_later is called. */
+/* cli_clean_up erases the line of progress and removes a file that is not whole, as an exit does
+ * and a signal that ends the program. cli_remove_later: that file, from now on; NULL: there is
+ * none.
+ */
 void cli_clean_up(void);
-void cli_clean_up_later(void);
+void cli_remove_later(char *path);
 
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
@@ -191,6 +193,6 @@ void cli_help_wall(void);
 
 /* Prints the words that may follow these of a command line, FILE for the name of a file: for the
  * shell's completion. */
-void cli_help_words(const cli_command *const *commands, int count, char **words);
+void cli_complete(const cli_command *const *commands, int count, char **words);
 
 #endif

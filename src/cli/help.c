@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 #include "cli/cli.h"
-#include "description/words.h"
+#include "description/description.h"
 #include "rebound/laws.h"
 
 #include <ctype.h>
@@ -144,59 +144,4 @@ void cli_help_wall(void) {
     const aspi_erosion_law *law = aspi_erosion_at(i);
     put_law(law->name, law->parameters, law->n_parameters, law->summary, law->source);
   }
-}
-
-/* ---- for the shell's completion ---- */
-
-/* Prints the values of an option that takes any; false: the word is no such option. */
-static bool put_values(const cli_option *options, const char *word) {
-  const char *name = strcmp(word, "-o") == 0 ? "output" : word + strspn(word, "-");
-  for (const cli_option *o = options; o->name; o++) {
-    if (*word != '-' || strcmp(name, o->name) != 0 || !o->argument)
-      continue;
-    for (const char *c = strchr(o->argument, '|') ? o->argument : ""; *c; c++)
-      putchar(*c == '|' ? ' ' : *c);
-    puts(strstr(o->argument, "FILE") ? "FILE" : "");
-    return true;
-  }
-  return false;
-}
-
-/* Prints what may follow the arguments; true if options may. */
-static bool put_arguments(const cli_command *command, int count, char **words) {
-  const char *argument = command->arguments ? command->arguments : "";
-  int files = 0; /* before the description, or in place of it */
-  for (; *argument && !strstr("[DESCRIPTION] WALL", argument); files++)
-    argument += strcspn(argument, " ") + (strchr(argument, ' ') != NULL);
-  if (command->takes_files || count < files) {
-    puts("FILE");
-    return command->takes_files;
-  }
-  aspi_offers offers = {.at_end = false};
-  bool may_end = !*argument ||
-                 aspi_description_offer(&offers, count - files, (const char *const *)words + files);
-  puts(offers.list);
-  return may_end;
-}
-
-void cli_help_words(const cli_command *const *commands, int count, char **words) {
-  if (count < 2 && (count == 0 || strcmp(words[0], "help") == 0)) {
-    puts(count == 0 ? "help" : "wall");
-    for (; *commands; commands++)
-      puts((*commands)->name);
-    return;
-  }
-  while (*commands && strcmp((*commands)->name, words[0]) != 0)
-    commands++;
-  if (!*commands)
-    return;
-  cli_call call = {.command = *commands};
-  cli_list_options(&call);
-  if (put_values(call.options, words[count - 1]))
-    return;
-  int n = cli_count_words(count, words);
-  bool behind_options = n < count - 1 && !call.command->takes_files;
-  if (behind_options || put_arguments(call.command, n, words + 1))
-    for (const cli_option *o = call.options; o->name; o++)
-      printf("--%s\n", o->name);
 }

@@ -34,7 +34,7 @@ int main(int argc, char **argv) {
     return 0;
   }
   if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "--words") == 0) {
-    cli_help_words(commands, argc - 3, argv + 3);
+    cli_complete(commands, argc - 3, argv + 3);
     cli_file_close(stdout);
     return 0;
   }

@@ -95,10 +95,36 @@ static double seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+static char *volatile unfinished; /* a file, or NULL */
+
+void cli_clean_up(void) {
+  cli_erase_progress();
+  if (unfinished)
+    unlink(unfinished);
+  unfinished = NULL;
+}
+
+static void end_by_signal(int number) {
+  cli_clean_up();
+  raise(number); /* the handler is gone */
+}
+
+void cli_remove_later(char *path) {
+  static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
+  static bool is_set_up;
+  for (size_t i = 0; i < sizeof signals / sizeof *signals && !is_set_up; i++) {
+    struct sigaction now, clean = {.sa_handler = end_by_signal, .sa_flags = (int)SA_RESETHAND};
+    if (sigaction(signals[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+      sigaction(signals[i], &clean, NULL);
+  }
+  is_set_up = is_set_up || atexit(cli_clean_up) == 0;
+  unfinished = path;
+}
+
 cli_progress cli_progress_begin(const char *what, double total) {
   double now = seconds();
   cli_progress progress = {what, total, now, isatty(STDERR_FILENO) ? now - 1 : INFINITY};
-  cli_clean_up_later();
+  cli_remove_later(unfinished);
   cli_progress_show(&progress, 0);
   return progress;
 }

@@ -6,7 +6,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,32 +17,8 @@ enum { SUFFIX_MOST = 40 };
 /* The name of the file that is written; there is one at a time. */
 static const char *written;
 
-/* What is written in its place until it is whole, which an exit or a signal that ends the program
- * removes; NULL: there is none. */
-static char *volatile partial;
-
-void cli_clean_up(void) {
-  cli_erase_progress();
-  if (partial)
-    unlink(partial);
-  partial = NULL;
-}
-
-static void end_by_signal(int number) {
-  cli_clean_up();
-  raise(number); /* the handler is gone */
-}
-
-void cli_clean_up_later(void) {
-  static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
-  static bool is_set_up;
-  for (size_t i = 0; i < sizeof signals / sizeof *signals && !is_set_up; i++) {
-    struct sigaction now, clean = {.sa_handler = end_by_signal, .sa_flags = (int)SA_RESETHAND};
-    if (sigaction(signals[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
-      sigaction(signals[i], &clean, NULL);
-  }
-  is_set_up = is_set_up || atexit(cli_clean_up) == 0;
-}
+/* What is written in its place until it is whole; NULL: there is none. */
+static char *partial;
 
 /* True if a file must not be replaced by another one: a device, a pipe, standard output. */
 static bool stays(const struct stat *found) {
@@ -57,8 +32,8 @@ static FILE *open_partial(const char *path) {
   char *name = cli_allocate(size, 1);
   snprintf(name, size, "%s.%ld.partial", path, (long)getpid());
   FILE *stream = fopen(name, "wxe");
-  cli_clean_up_later();
   partial = stream ? name : NULL;
+  cli_remove_later(partial);
   return stream;
 }
 
@@ -83,6 +58,7 @@ void cli_file_check(const char *path) {
     return;
   fclose(cli_file_open(path));
   cli_clean_up();
+  partial = NULL;
 }
 
 void cli_file_close(FILE *stream) {
@@ -92,6 +68,7 @@ void cli_file_close(FILE *stream) {
   if (bad || (partial && rename(partial, written) != 0))
     cli_fail("cannot write %s: %s", written ? written : "standard output", strerror(errno));
   partial = NULL;
+  cli_remove_later(NULL);
 }
 
 void cli_print_comment(FILE *out, const char *text) {
