@@ -1,5 +1,5 @@
 /* The help of the commands, made from their tables of options, in the form that help2man makes a
- * page of the manual from; the shell's completion takes its words from it.
+ * page of the manual from.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
