@@ -1,7 +1,7 @@
-/* What an engine needs beside asperity.h to let particles fly at a wall: one that steps in time, with
- * contacts that follow each other, materials by type, and its own words between those of the
- * description. The walls of LIGGGHTS, LAMMPS and OpenFOAM use these two headers; a small engine with
- * one grain and a plane is examples/c_program/engine.c. Stays the same within a major version.
+/* What an engine needs beside asperity.h to let particles fly at a wall: one that steps in time,
+ * with contacts that follow each other, materials by type, and its own words between those of the
+ * description. The walls of LIGGGHTS, LAMMPS and OpenFOAM use these two headers; a small engine
+ * with one grain and a plane is examples/c_program/engine.c. Stays the same within a major version.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_ENGINE_H

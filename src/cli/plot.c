@@ -85,10 +85,10 @@ FILE *cli_plot_open(const cli_call *call) {
 
 void cli_plot_close(const cli_call *call, FILE *table, const char *name) {
   const char *path = cli_value(call, "plot");
-  char script[PATH_MOST], title[TITLE_MOST], picture[] = "-.xxx";
+  char script[PATH_MOST], title[TITLE_MOST], picture[8];
   find_script(name, script);
   title_of(call, title);
-  strcpy(picture + 2, ending_of(path));
+  snprintf(picture, sizeof picture, "-.%s", ending_of(path));
   if (fflush(table) != 0 || ferror(table))
     cli_fail("cannot write a temporary file for --plot %s: %s", path, strerror(errno));
   FILE *out = cli_file_open(path);

@@ -89,8 +89,9 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   return ASP_OK;
 }
 
-/* The impact on a wall whose grains differ, as on one where they are alike: apart, so that those
- * need no room for a pair. */
+/* The impact on a wall whose grains differ, by a copy of the wall on which they are alike. To call
+ * impact_on here costs every other contact 37 instructions, as it is no longer part of its callers.
+ */
 static asp_code impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
                                 const double v1[3], const double n[3], const asp_key *key,
                                 asp_impact *impact) {
