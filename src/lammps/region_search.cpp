@@ -239,7 +239,7 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   const double square = aspi_dot(v, v), off = aspi_dot(v, foot.n);
   contact.chord =
       asperity::chord_speed(contact.curve, sqrt(std::max(0.0, square - off * off)), left);
-  contact.closing = -off + 0.5 * left * contact.follow + contact.chord;
+  contact.approach_speed = -off + 0.5 * left * contact.follow + contact.chord;
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {

@@ -348,8 +348,8 @@ public:
     aspi_copy(path.x, contact.x);
     contact.n[2] = contact.n_end[2] = 1;
     contact.v_wall[2] = speed_;
-    contact.closing = speed_ - path.v[2];
-    return contact.closing > 1e-6;
+    contact.approach_speed = speed_ - path.v[2];
+    return contact.approach_speed > 1e-6;
   }
   bool under(int, const double[3], const double[3], double, Contact &, double &) const override {
     return false;

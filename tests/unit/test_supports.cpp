@@ -35,7 +35,7 @@ void draw(double most, double a[3]) {
 }
 
 /* How far the velocities are from a solution at one contact, in parts of the impulses. */
-double off_by(const Support &s, double friction, double radius, const double v[3],
+double off_by(const Held &s, double friction, double radius, const double v[3],
               const double omega[3]) {
   double across[3], u[3], along[3], p_t[3], worst = 0;
   aspi_cross(omega, s.n, across);
@@ -65,11 +65,11 @@ int run(int contacts, bool moving, double friction) {
   const Mover ball(spheres, 0);
   int solved = 0;
   for (int trial = 0; trial < 2000; trial++) {
-    std::vector<Support> supports(static_cast<size_t>(contacts));
+    std::vector<Held> supports(static_cast<size_t>(contacts));
     double v[3], omega[3], sum[3], turn[3], scale = 0;
     draw(1, v);
     draw(trial % 3 == 0 ? 0 : 1 / radius, omega);
-    for (Support &s : supports) {
+    for (Held &s : supports) {
       do
         draw(1, s.n);
       while (!(aspi_length(s.n) > 0.1 && s.n[2] > -0.5));
@@ -79,9 +79,9 @@ int run(int contacts, bool moving, double friction) {
     }
     aspi_copy(v, sum);
     aspi_copy(omega, turn);
-    const bool possible = solve_supports(ball, supports, v, omega);
+    const bool possible = solve_held(ball, supports, v, omega);
     double worst = 0;
-    for (const Support &s : supports) {
+    for (const Held &s : supports) {
       double across[3];
       aspi_cross(s.n, s.p, across);
       aspi_add_scaled(sum, 1, s.p, sum);
@@ -94,7 +94,7 @@ int run(int contacts, bool moving, double friction) {
       assert_true(fabs(sum[d] - v[d]) <= 1e-9 * (1 + scale));
       assert_true(fabs(turn[d] - omega[d]) <= 1e-9 * (1 + scale) / radius);
     }
-    for (const Support &s : supports)
+    for (const Held &s : supports)
       worst = fmax(worst, off_by(s, friction, radius, v, omega));
     solved += possible && worst <= 1e-4 * scale + 1e-9;
   }

@@ -18,13 +18,18 @@
 
 namespace asperity {
 
+struct Stepper;
+
 /* An impact that is to be counted. */
 struct Impact {
+  Stepper *wall;
   size_t shape;
   Contact contact;
   double v1[3];     /* relative to the wall */
   double omega1[3]; /* before the impact */
   double time;      /* of the ledger */
+  double elapsed;   /* of the step */
+  bool grazes;      /* the mover was resting at the wall */
   asp_key key;
   asp_impact result;
   ContactLoad load;

@@ -212,7 +212,7 @@ void MeshShape::set_contact(const Path &path, const ContactPath &local, const Sh
   contact.time = touch.time;
   contact.overlapped = touch.overlapped;
   contact.curve = contact.chord = 0;
-  contact.closing = -aspi_dot(local.v, touch.n);
+  contact.approach_speed = -aspi_dot(local.v, touch.n);
   contact.piece = aspi_tree_id(tree_.get(), place.piece);
   contact.face = aspi_tree_id(tree_.get(), place.face);
   if (touch.edge_sine > GRAZING)

@@ -28,7 +28,7 @@ void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
   contact.overlapped = touch.overlapped;
   contact.piece = contact.face = 0;
   contact.follow = contact.curve = contact.chord = 0;
-  contact.closing = -aspi_dot(path.v, touch.n);
+  contact.approach_speed = -aspi_dot(path.v, touch.n);
   aspi_copy(touch.n, contact.n);
   aspi_copy(touch.n, contact.n_end);
   aspi_add_scaled(path.x, touch.time, path.v, contact.x);
@@ -122,7 +122,7 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
   if (distance > 0)
     contact.curve = side * speed * speed / distance;
   contact.chord = chord_speed(contact.curve, fabs(speed), left);
-  contact.closing += contact.chord;
+  contact.approach_speed += contact.chord;
   return true;
 }
 

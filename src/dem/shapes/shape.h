@@ -34,7 +34,7 @@ struct Contact {
   double follow;    /* acceleration along n that keeps the center at the moving wall */
   double curve;     /* the same due to the wall's curvature, as the center moves along it */
   double chord;     /* mean speed along n, by that, on a chord to the end of the path */
-  double closing;   /* mean speed along -n over the rest of the path as it was searched */
+  double approach_speed; /* mean speed along -n over the rest of the path as it was searched */
   int piece;        /* number of the triangle; 0 for a shape of one piece */
   int face;         /* the piece, or where a shape of one piece has several faces, which of them */
   bool overlapped;  /* the particle was in the wall already */

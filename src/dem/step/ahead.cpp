@@ -111,7 +111,7 @@ void Ahead::find_strays(const Spheres &s) {
 
 /* Most particles have a valid prediction that they are too far away; it holds while their velocity
  * stays near the predicted one. */
-void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
+void Ahead::find_near(const Spheres &s, int number, std::vector<Candidate> &near) {
   double travel = 0;
   for (const Member &member : setup_.shapes)
     travel = std::max(travel, member.shape->travel(s.dt));
@@ -136,7 +136,7 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Near> &near) {
     for (int i = 0; i < count; i++) {
       const float own = share * static_cast<float>(STRAY * s.radius[first + i]);
       if ((due[i] <= now_ || any_strays(v + 3 * i, along + 3 * i, 3, own)) && look(s, first + i))
-        near.push_back(Near{first + i, number});
+        near.push_back(Candidate{first + i, number});
     }
   }
 }

@@ -13,9 +13,9 @@
 namespace asperity {
 
 /* A particle that may touch a wall in this step, which has this number among those of the run. */
-struct Near {
+struct Candidate {
   int i, wall;
-  bool operator<(const Near &other) const {
+  bool operator<(const Candidate &other) const {
     return i < other.i || (i == other.i && wall < other.wall);
   }
 };
@@ -38,7 +38,7 @@ public:
   void reorder(const Spheres &spheres);
 
   /* Lists the particles that may touch this wall in this step. */
-  void find_near(const Spheres &spheres, int number, std::vector<Near> &near);
+  void find_near(const Spheres &spheres, int number, std::vector<Candidate> &near);
 
   bool is_near(int i) const {
     return due_[i] <= now_;

@@ -28,93 +28,77 @@ const size_t NOTED_MOST = 32;
 
 /* A mover at the end of a step, as it would be without the walls. */
 struct AtEnd : Instant {
-  Mover &mover;
+  const Mover &mover;
   const Movers &movers;
   const double dt;
-  AtEnd(Mover &one, const Movers &all) : mover(one), movers(all), dt(all.dt) {
+  AtEnd(const Mover &one, const Movers &all) : mover(one), movers(all), dt(all.dt) {
     all.read(one, *this);
     all.read_rates(one, *this);
   }
 };
 
-/* The contact of a sphere that rests at a face; false: it is there no more. Fills what a rest needs
- * of a touch. */
+/* The contact of a sphere that rests at a face, with the mover's velocity and spin; false: it is
+ * there no more. */
 bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double v[3],
-                const double spin[3], Touch &touch, double &distance) {
+                const double spin[3], Held &at, double &distance) {
   const Mover &mover = now.mover;
-  Contact &contact = touch.contact;
   double u[3];
-  touch.wall = &wall;
-  touch.shape = static_cast<size_t>(rest.shape) - 1;
-  touch.sphere = mover.number_of(rest.sphere);
-  if (touch.sphere == mover.count || touch.shape >= wall.setup.shapes.size())
+  at.wall = &wall;
+  at.shape = static_cast<size_t>(rest.shape) - 1;
+  at.sphere = mover.number_of(rest.sphere);
+  if (at.sphere == mover.count || at.shape >= wall.setup.shapes.size())
     return false;
-  aspi_copy(now.x, contact.x);
+  aspi_copy(now.x, at.x);
   aspi_copy(v, u);
   if (!mover.is_ball) {
     double arm[3], across[3];
-    mover.arm(touch.sphere, arm);
-    aspi_add_scaled(contact.x, 1, arm, contact.x);
+    mover.arm(at.sphere, arm);
+    aspi_add_scaled(at.x, 1, arm, at.x);
     aspi_cross(spin, arm, across);
     aspi_add_scaled(u, 1, across, u);
   }
-  aspi_copy(NONE, contact.n);
-  aspi_copy(NONE, contact.v_wall);
-  contact.follow = contact.curve = 0;
-  if (!wall.setup.shapes[touch.shape].shape->under(static_cast<int>(rest.face), contact.x, u,
-                                                   (1 + NEAR) * mover.sphere[touch.sphere].radius,
-                                                   contact, distance))
+  aspi_copy(NONE, at.n);
+  aspi_copy(NONE, at.v_wall);
+  at.follow = at.curve = 0;
+  if (!wall.setup.shapes[at.shape].shape->under(static_cast<int>(rest.face), at.x, u,
+                                                (1 + NEAR) * mover.sphere[at.sphere].radius, at,
+                                                distance))
     return false;
-  contact.piece = contact.face < 0 ? ~contact.face : contact.face;
-  if (!(fabs(contact.curve) > 0))
+  at.piece = at.face < 0 ? ~at.face : at.face;
+  if (!(fabs(at.curve) > 0))
     return true;
-  aspi_subtract(u, contact.v_wall, u);
-  return fabs(contact.curve) * now.dt < CURVE * aspi_length(u);
+  aspi_subtract(u, at.v_wall, u);
+  return fabs(at.curve) * now.dt < CURVE * aspi_length(u);
 }
 
 /* The hold of the valley at a rough wall; where the sphere has come to the next face, it hits that.
  * True where it has. */
-bool meet_face(AtEnd &now, Stepper &first, Touch &touch, double &hold, bool &sticks) {
-  Contact &contact = touch.contact;
-  const double v[3] = {now.v[0], now.v[1], now.v[2]};
-  Flight flight(now.mover, now.movers, now, first);
-  flight.put_at_end(now.x);
-  flight.set_spin(now.spin);
-  touch.before = flight.path;
-  aspi_copy(contact.x, touch.before.x);
-  aspi_copy(contact.n, contact.n_end);
-  contact.time = contact.chord = contact.closing = 0;
-  contact.overlapped = false;
-  Site site(flight, touch, v);
-  site.press = contact.follow + contact.curve - aspi_dot(flight.free, contact.n);
-  site.find_face(true);
-  hold = site.hold(true);
-  if (hold > 0 || !site.moved || !site.graze())
+bool meet_face(AtEnd &now, Touch &touch, double &hold, bool &sticks) {
+  const Moment moment = {now.x, now.v, now.spin, now.a, 0, now.dt, now.movers.step};
+  Impact impact;
+  touch.before =
+      Path{{touch.x[0], touch.x[1], touch.x[2]}, {now.v[0], now.v[1], now.v[2]}, 0, now.dt, 0};
+  aspi_copy(touch.n, touch.n_end);
+  touch.time = touch.chord = touch.approach_speed = 0;
+  touch.overlapped = false;
+  ContactPoint at(now.mover, moment, touch);
+  at.press = touch.follow + touch.curve - aspi_dot(now.a, touch.n);
+  at.find_face(true);
+  hold = at.hold(true);
+  if (hold > 0 || !at.moved || !at.graze(impact))
     return false;
-  sticks = take_impact(site, v);
+  sticks = impact.result.outcome == ASP_DEPOSIT;
   if (sticks)
-    leave_stuck(flight, touch, now.movers);
-  count_events(flight);
-  aspi_copy(flight.begin, now.v);
-  aspi_copy(flight.spin, now.spin);
+    freeze(touch, now.mover, now.movers, now.x, touch.v_wall, impact.result.omega, 0);
+  touch.wall->books.count(impact);
+  aspi_add_scaled(touch.v_wall, 1, impact.result.v2, now.v);
+  aspi_copy(impact.result.omega, now.spin);
   return true;
 }
 
-/* The accelerations that the walls give a mover that rests. */
-void sum_pushes(const Walls &walls, const Mover &mover, double push[3], double twist[3]) {
-  aspi_copy(NONE, push);
-  aspi_copy(NONE, twist);
-  for (Stepper *wall : walls)
-    for (const Rest &rest : mover.at(*wall).rests()) {
-      aspi_add_scaled(push, 1, rest.push, push);
-      aspi_add_scaled(twist, 1, rest.twist, twist);
-    }
-}
-
-/* What holds a mover; the next one uses the same lists. */
+/* What holds a mover; the next one uses the same list. */
 struct Resting {
-  std::vector<Touch> held;
-  std::vector<Support> supports; /* one of each */
+  std::vector<Held> held;
   size_t count;
   double push[3],
       twist[3]; /* accelerations that the walls give until the middle of the next step */
@@ -133,53 +117,51 @@ private:
  * and these are others. */
 bool Resting::find(const Walls &walls, AtEnd &now, const double v[3], const double spin[3],
                    bool &sticks) {
-  Mover &mover = now.mover;
+  const Mover &mover = now.mover;
   count = 0;
   for (Stepper *wall : walls) {
-    const AtWall of = mover.at(*wall);
+    const WallMemory of = mover.at(*wall);
     const std::vector<Rest> &rests = of.rests();
     for (size_t k = 0; k < rests.size(); k++) {
-      const Rest &rest = rests[k];
       double distance, hold = 0;
-      if (held.size() == count) {
-        held.push_back(Touch());
-        supports.push_back(Support());
-      }
-      Touch &at = held[count];
-      if (!look_under(now, rest, *wall, v, spin, at, distance))
+      if (held.size() == count)
+        held.push_back(Held());
+      Held &at = held[count];
+      if (!look_under(now, rests[k], *wall, v, spin, at, distance))
         continue;
-      if (wall->is_rough && meet_face(now, *walls[0], at, hold, sticks)) {
+      if (wall->is_rough && meet_face(now, at, hold, sticks)) {
         if (!sticks)
           of.drop_rest(k);
         mover.members(*wall).ahead.expire(mover.i);
         return false;
       }
-      const Contact &contact = at.contact;
       const double radius = mover.sphere[at.sphere].radius, off = radius - distance;
-      Support &support = supports[count++];
-      set_support(mover, *wall, at.shape, at.sphere, contact.n, contact.v_wall, hold, support);
-      aspi_add_scaled(support.p, now.dt, rest.push, support.p);
-      double rises = 0.5 * now.dt * (contact.follow + contact.curve);
+      count++;
+      at.set(mover, hold);
+      aspi_add_scaled(at.p, now.dt, rests[k].push, at.p);
+      double rises = 0.5 * now.dt * (at.follow + at.curve);
       if (!(off < OVERLAP * radius))
         mover.members(*wall).ahead.expire(mover.i);
       else if (fabs(off) > TOUCHING * radius)
         rises += off / now.dt;
-      aspi_add_scaled(support.w, rises, contact.n, support.w);
+      aspi_add_scaled(at.w, rises, at.n, at.w);
     }
   }
   return true;
 }
 
 /* True if the contact carries no load and is opening. */
-bool lifts_off(const AtEnd &now, const Touch &at, const Support &support, const double v[3],
-               const double spin[3]) {
+bool lifts_off(const AtEnd &now, const Held &at, const double v[3], const double spin[3]) {
   double u[3];
-  if (aspi_dot(support.p, support.n) > 0)
+  if (aspi_dot(at.p, at.n) > 0)
     return false;
-  aspi_cross(spin, support.arm, u);
-  aspi_add_scaled(u, 1, v, u);
-  aspi_subtract(u, support.w, u);
-  return aspi_dot(u, support.n) * now.dt > ROUNDING * now.mover.sphere[at.sphere].radius;
+  aspi_subtract(v, at.w, u);
+  if (!now.mover.is_ball) {
+    double across[3];
+    aspi_cross(spin, at.arm, across);
+    aspi_add_scaled(u, 1, across, u);
+  }
+  return aspi_dot(u, at.n) * now.dt > ROUNDING * now.mover.sphere[at.sphere].radius;
 }
 
 /* Notes and counts what has held the mover. */
@@ -190,25 +172,24 @@ void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], cons
   aspi_copy(NONE, push);
   aspi_copy(NONE, twist);
   for (Stepper *wall : walls) {
-    const AtWall of = mover.at(*wall);
+    const WallMemory of = mover.at(*wall);
     std::vector<Rest> &rests = of.rests();
     size_t kept = 0;
     for (; k < count && held[k].wall == wall; k++) {
-      const Support &support = supports[k];
-      if (lifts_off(now, held[k], support, v, spin))
+      const Held &at = held[k];
+      if (lifts_off(now, at, v, spin))
         continue;
       Rest &rest = rests[kept++];
-      rest.sphere = static_cast<double>(mover.sphere[held[k].sphere].tag);
-      rest.shape = static_cast<double>(held[k].shape) + 1;
-      rest.face = held[k].contact.face;
-      twist_of(mover, support, rest.twist);
-      for (int d = 0; d < 3; d++) {
-        rest.push[d] = rate * support.p[d];
-        rest.twist[d] *= rate;
-        push[d] += rest.push[d];
-        twist[d] += rest.twist[d];
-      }
-      add_load(mover, now.x, held[k], support, v, spin);
+      rest.sphere = static_cast<double>(mover.sphere[at.sphere].tag);
+      rest.shape = static_cast<double>(at.shape) + 1;
+      rest.face = at.face;
+      aspi_copy(at.p, rest.push);
+      aspi_scale(rate, rest.push);
+      twist_of(mover, at, rest.twist);
+      aspi_scale(rate, rest.twist);
+      aspi_add_scaled(push, 1, rest.push, push);
+      aspi_add_scaled(twist, 1, rest.twist, twist);
+      add_load(mover, now.x, at);
     }
     if (kept < rests.size()) {
       rests.resize(kept);
@@ -232,7 +213,7 @@ bool Resting::hold(const Walls &walls, AtEnd &now) {
     return true;
   aspi_copy(before, v);
   aspi_copy(turning, spin);
-  if (count > 0 && !solve_supports(now.mover, Supports(supports.data(), count), v, spin)) {
+  if (count > 0 && !solve_held(now.mover, HeldList(held.data(), count), v, spin)) {
     count = 0; /* walls that close: the next flight finds out */
     keep(walls, now, v, spin);
     aspi_copy(v, now.v);
@@ -266,40 +247,40 @@ void asperity::note_energy(const Flight &flight) {
   const Mover &mover = flight.mover;
   if (!mover.is_ball || !(aspi_dot(flight.a0, flight.a0) > 0))
     return; /* in free flight velocities stay what they are, to the bit */
-  if (flight.events.size() > NOTED_MOST)
+  if (flight.impacts.size() > NOTED_MOST)
     return;
-  for (const Event &event : flight.events) {
-    Stepper *wall = event.wall;
-    const AtWall of = mover.at(*wall);
-    const double *n = event.contact.n;
+  for (const Impact &impact : flight.impacts) {
+    Stepper *wall = impact.wall;
+    const WallMemory of = mover.at(*wall);
+    const double *n = impact.contact.n;
     bool others = of.status() == Status::RESTING || changes_along(n, flight.settled);
-    for (const Event &other : flight.events) {
+    for (const Impact &other : flight.impacts) {
       double change[3];
       aspi_subtract(other.result.v2, other.v1, change);
-      others = others || (&other != &event && (other.wall == wall || changes_along(n, change)));
+      others = others || (&other != &impact && (other.wall == wall || changes_along(n, change)));
     }
     if (others)
       continue;
     double relative[3], leg1[3], leg2[3];
-    aspi_subtract(flight.v0, event.contact.v_wall, relative);
-    aspi_subtract(event.contact.x, flight.x0, leg1);
-    aspi_subtract(flight.path.x, event.contact.x, leg2);
-    const double share = event.elapsed / flight.dt, a0 = aspi_dot(flight.a0, n);
-    const double d1 = aspi_dot(leg1, n) - aspi_dot(event.contact.v_wall, n) * event.elapsed;
+    aspi_subtract(flight.v0, impact.contact.v_wall, relative);
+    aspi_subtract(impact.contact.x, flight.x0, leg1);
+    aspi_subtract(flight.path.x, impact.contact.x, leg2);
+    const double share = impact.elapsed / flight.dt, a0 = aspi_dot(flight.a0, n);
+    const double d1 = aspi_dot(leg1, n) - aspi_dot(impact.contact.v_wall, n) * impact.elapsed;
     const double d2 =
-        aspi_dot(leg2, n) - aspi_dot(event.contact.v_wall, n) * (flight.dt - event.elapsed);
-    const double v0 = aspi_dot(relative, n), v1 = -aspi_dot(event.v1, n),
-                 v2 = aspi_dot(event.result.v2, n);
-    const double e = event.grazes ? 0 : std::min(1.0, v2 / v1);
+        aspi_dot(leg2, n) - aspi_dot(impact.contact.v_wall, n) * (flight.dt - impact.elapsed);
+    const double v0 = aspi_dot(relative, n), v1 = -aspi_dot(impact.v1, n),
+                 v2 = aspi_dot(impact.result.v2, n);
+    const double e = impact.grazes ? 0 : std::min(1.0, v2 / v1);
     of.own().rebound.resize(1);
     Rebound &rebound = of.own().rebound[0];
     rebound.square =
         v2 * v2 + e * e * (v0 * v0 + (2 - share) * a0 * d1 - v1 * v1) + (1 - share) * a0 * d2;
     rebound.work = e * e * share * d1 + (1 + share) * d2;
     aspi_copy(n, rebound.normal);
-    aspi_copy(event.contact.v_wall, rebound.v_wall);
-    rebound.shape = static_cast<double>(event.shape);
-    rebound.piece = event.contact.piece;
+    aspi_copy(impact.contact.v_wall, rebound.v_wall);
+    rebound.shape = static_cast<double>(impact.shape);
+    rebound.piece = impact.contact.piece;
     of.set_status(Status::REBOUNDED);
     mover.members(*wall).touching.push_back(mover.i);
   }
@@ -333,7 +314,7 @@ static void balance(Stepper &wall, const Movers &movers, int i) {
 
 /* A mover that rests at these walls. */
 static void end_one(const Walls &walls, const Movers &movers, int i, Resting &resting) {
-  Mover mover(movers, i);
+  const Mover mover(movers, i);
   AtEnd now(mover, movers);
   if (resting.hold(walls, now))
     return;
@@ -343,13 +324,13 @@ static void end_one(const Walls &walls, const Movers &movers, int i, Resting &re
 
 /* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
 template <class Act> static void for_resting(const Walls &walls, const Movers &movers, Act act) {
-  std::vector<Near> all;
+  std::vector<Candidate> all;
   Walls held_by;
   for (size_t w = 0; w < walls.size(); w++) {
-    const Members &of = movers.members(*walls[w]);
+    const Population &of = movers.members(*walls[w]);
     for (int i : of.touching)
       if (of.rows.status(i) == Status::RESTING && !movers.is_stuck(walls, i))
-        all.push_back(Near{i, static_cast<int>(w)});
+        all.push_back(Candidate{i, static_cast<int>(w)});
   }
   if (!std::is_sorted(all.begin(), all.end()))
     std::sort(all.begin(), all.end());
@@ -365,7 +346,7 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
 static void end_movers(const Walls &walls, const Movers &movers) {
   Resting resting;
   for (Stepper *wall : walls) {
-    const Members &of = movers.members(*wall);
+    const Population &of = movers.members(*wall);
     wall->hold_stuck(movers);
     for (int i : of.touching)
       if (of.rows.status(i) == Status::REBOUNDED)
@@ -381,13 +362,17 @@ void asperity::push_again(const Walls &walls, const Movers &movers) {
   for_resting(walls, movers, [&](const Walls &held_by, int i) {
     const Mover mover(movers, i);
     const double *before = mover.at(*held_by[0]).own().free;
-    double push[3], twist[3], change[3];
+    double push[3] = {0, 0, 0}, twist[3] = {0, 0, 0}, change[3];
     Instant now;
     movers.read_rates(mover, now);
     aspi_subtract(now.a, before, change);
     if (aspi_length(change) > ROUNDING * aspi_length(before))
       return;
-    sum_pushes(held_by, mover, push, twist);
+    for (Stepper *wall : held_by)
+      for (const Rest &rest : mover.at(*wall).rests()) {
+        aspi_add_scaled(push, 1, rest.push, push);
+        aspi_add_scaled(twist, 1, rest.twist, twist);
+      }
     movers.push(mover, push, twist);
   });
 }

@@ -65,33 +65,35 @@ static bool lies_in_valley(const std::vector<FacePlace> &faces, const FacePlace 
 
 /* stays: the sphere was at the wall in the step before, and may have passed the beginning of the
  * face since. */
-void Site::find_face(bool stays) {
+void ContactPoint::find_face(bool stays) {
   const asp_wall *of = wall.setup.model.wall();
   if (!of || !asp_wall_surface(of))
     return;
-  const double forward[3] = {0, 0, 0};
+  const double time = wall.setup.time(static_cast<double>(now.step)) - now.left;
   double lay[3], point[3], along[3], u[3], passed = 0;
   bool fell = false;
-  const asp_particle here = particle(lay);
-  const double now = wall.setup.time(static_cast<double>(flight.step)) - flight.path.left;
-  aspi_copy(contact.x, point);
-  aspi_add_scaled(point, -one.radius, contact.n, point);
-  face = memory.face_of(one.tag, contact.n);
+  aspi_copy(touch.x, point);
+  aspi_add_scaled(point, -one.radius, touch.n, point);
+  face = memory.face_of(one.tag, touch.n);
   if (face) {
-    aspi_add_scaled(face->at, now - face->time, contact.v_wall, face->at);
+    aspi_add_scaled(face->at, time - face->time, touch.v_wall, face->at);
     wall.setup.box.bring_near(point, face->at);
     aspi_subtract(point, face->at, along);
-    aspi_add_scaled(along, -aspi_dot(along, contact.n), contact.n, along);
-    const double length =
-        here.lay ? asp_wall_face_length(of, &here, along, contact.n) : face->length;
+    aspi_add_scaled(along, -aspi_dot(along, touch.n), touch.n, along);
+    double length = face->length;
+    if (has_lay()) {
+      const asp_particle here = particle(lay);
+      length = asp_wall_face_length(of, &here, along, touch.n);
+    }
     const double way = aspi_length(along);
     is_new = moved = way >= length;
     if (stays && moved) {
       sphere_velocity(u);
-      passed = std::min(way - length, aspi_length(u) * flight.dt) / way;
+      passed = std::min(way - length, aspi_length(u) * now.dt) / way;
     }
   } else {
-    const double length = asp_wall_face_length(of, &here, forward, contact.n);
+    const asp_particle here = particle(lay);
+    const double length = asp_wall_face_length(of, &here, NONE, touch.n);
     if (!(length > 0))
       return;
     face = &memory.new_face();
@@ -106,25 +108,25 @@ void Site::find_face(bool stays) {
     face->start = face->height = face->rise = 0;
     face->place = fell ? TO_DRAW : AT_BOTTOM;
   }
-  aspi_copy(contact.n, face->normal);
-  face->time = now;
+  aspi_copy(touch.n, face->normal);
+  face->time = time;
 }
 
 /* The key of the next draw of a sphere that rests at the wall, or bounces on it. */
-asp_key Site::next_key() const {
+asp_key ContactPoint::next_key() const {
   return asp_key{wall.setup.model.seed(), wall.setup.stay_key, static_cast<uint64_t>(one.tag),
                  static_cast<uint32_t>(++memory.own().draws)};
 }
 
 /* The valley behind the face of a contact, on its first use. */
-const FacePlace &Site::valley() {
+const FacePlace &ContactPoint::valley() {
   if (face->start > 0)
     return *face;
   double lay[3], u[3];
   const asp_particle here = particle(lay);
   const asp_key key = next_key();
   sphere_velocity(u);
-  const asp_valley drawn = asp_wall_valley(law(), &here, u, contact.n, &key);
+  const asp_valley drawn = asp_wall_valley(law(), &here, u, touch.n, &key);
   face->start = drawn.start;
   face->height = drawn.height;
   if (face->place > AT_BOTTOM) {
@@ -136,8 +138,8 @@ const FacePlace &Site::valley() {
 
 /* True if a bounce on the mean wall is lower than the wall's own heights, by what the forces press:
  * a wall that accelerates may have turned back before the next bounce. */
-bool Site::is_low() {
-  const double push = -aspi_dot(flight.free, contact.n);
+bool ContactPoint::is_low() {
+  const double push = -aspi_dot(now.free, touch.n);
   if (!face || is_new || !wall.setup.model.dissipates() || !(push > 0))
     return false;
   const double v_n = approach();
@@ -145,70 +147,69 @@ bool Site::is_low() {
 }
 
 /* The energy of a bounce that is too low to be one. */
-void Site::lose_bounce() const {
+void ContactPoint::lose_bounce() const {
   const double none[3] = {0, 0, 0}, v_n = approach();
-  ContactLoad load =
-      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, none, NULL);
-  load.dissipated = 0.5 * mover.mass * v_n * v_n / mover.response(arm, contact.n);
+  ContactLoad load = mover.load(touch.sphere, touch.piece, touch.x, touch.n, now.x, none, NULL);
+  load.dissipated = 0.5 * mover.mass * v_n * v_n / mover.response(arm, touch.n);
   wall.books.add_load(touch.shape, load);
 }
 
 /* The slope that the valley withstands in which the sphere lies; 0: it lies in none. */
-double Site::hold(bool is_sustained) {
+double ContactPoint::hold(bool is_sustained) {
   if (!face || !wall.setup.interlocks || !wall.setup.model.dissipates())
     return 0;
   const FacePlace &at = valley();
-  const double along = mover.energy_along(contact.n, v1, flight.spin);
-  const double push = is_sustained ? press : -aspi_dot(flight.free, contact.n);
-  return lies_in_valley(memory.own().faces, at, along, push, flight.free) ? at.start : 0;
+  const double along = mover.energy_along(touch.n, v1, spin);
+  const double push = is_sustained ? press : -aspi_dot(now.free, touch.n);
+  return lies_in_valley(memory.own().faces, at, along, push, now.free) ? at.start : 0;
 }
 
 /* Changes v1 and the spin before an impact; the wall takes what is lost. */
-void Site::brake(const double to[3], const double spin[3]) {
+void ContactPoint::brake(const double to[3], const double to_spin[3]) {
   double p[3], turned[3];
   aspi_subtract(to, v1, p);
-  aspi_subtract(spin, flight.spin, turned);
-  ContactLoad load =
-      mover.load(touch.sphere, contact.piece, contact.x, contact.n, flight.path.x, p, turned);
-  load.dissipated = mover.mass * (mover.energy(v1, flight.spin) - mover.energy(to, spin));
+  aspi_subtract(to_spin, spin, turned);
+  ContactLoad load = mover.load(touch.sphere, touch.piece, touch.x, touch.n, now.x, p, turned);
+  load.dissipated = mover.mass * (mover.energy(v1, spin) - mover.energy(to, to_spin));
   wall.books.add_load(touch.shape, load);
   aspi_copy(to, v1);
-  flight.set_spin(spin);
+  aspi_copy(to_spin, spin);
 }
 
 /* The motion along the wall of a sphere about the center of mass that bounces in its valley is
  * lost. */
-void Site::stop_along() {
-  const double *n = contact.n;
-  double straight[3], spin[3];
+void ContactPoint::stop_along() {
+  const double *n = touch.n;
+  double straight[3], turning[3];
   if (!mover.is_central(touch.sphere))
     return;
   aspi_copy(n, straight);
   aspi_scale(aspi_dot(v1, n), straight);
-  aspi_copy(n, spin);
-  aspi_scale(aspi_dot(flight.spin, n), spin);
-  brake(straight, spin);
+  aspi_copy(n, turning);
+  aspi_scale(aspi_dot(spin, n), turning);
+  brake(straight, turning);
 }
 
 /* The impact on the next face of a sphere that rests: it comes along the wall, after the mean wall
  * has taken its approach. False where it meets none. */
-bool Site::graze() {
-  const double stops = approach() / mover.response(arm, contact.n);
-  double along[3], turned[3], spin[3], lay[3];
-  aspi_add_scaled(v1, stops, contact.n, along);
-  aspi_copy(contact.n, turned);
+bool ContactPoint::graze(Impact &made) {
+  const double stops = approach() / mover.response(arm, touch.n);
+  double along[3], turned[3], turning[3], lay[3];
+  aspi_add_scaled(v1, stops, touch.n, along);
+  aspi_copy(touch.n, turned);
   aspi_scale(stops, turned);
   mover.twist(arm, turned, turned);
-  aspi_add_scaled(flight.spin, 1, turned, spin);
+  aspi_add_scaled(spin, 1, turned, turning);
   asp_particle here = particle(lay);
-  aspi_copy(spin, here.omega);
+  aspi_copy(turning, here.omega);
   const asp_key key = next_key();
-  asp_impact impact;
-  if (!asp_wall_impact_grazing(law(), &here, along, contact.n, press, &key, &impact))
+  asp_impact result;
+  if (!asp_wall_impact_grazing(law(), &here, along, touch.n, press, &key, &result))
     return false;
-  brake(along, spin);
-  flight.events.push_back(event());
-  flight.events.back().result = impact;
-  flight.events.back().grazes = true;
+  brake(along, turning);
+  made = impact();
+  made.result = result;
+  made.grazes = true;
+  finish(made);
   return true;
 }

@@ -79,17 +79,6 @@ void Flight::turn_back(const Stepper &first) {
     aspi_copy(NONE, lift);
 }
 
-void Flight::put_at_end(const double x[3]) {
-  aspi_copy(x, path.x);
-  path.left = 0;
-  aspi_copy(half, begin);
-  aspi_copy(half, path.v);
-  if (mover.body) {
-    mover.set_axes(mover.body->axes);
-    mover.spin_of(momentum, spin);
-  }
-}
-
 /* At a time since the beginning of the path. */
 void Flight::velocity(double time, double v[3]) const {
   aspi_add_scaled(begin, time, acceleration, v);
@@ -173,16 +162,15 @@ void Flight::leap(double time) {
 
 /* Moves the mover on to a contact. v: its velocity there. */
 void Flight::advance(const Touch &touch, double v[3]) {
-  const Contact &contact = touch.contact;
-  velocity(contact.time, v);
+  velocity(touch.time, v);
   if (mover.is_ball) {
-    aspi_copy(contact.x, path.x);
-    path.left = std::max(0.0, path.left - contact.time);
+    aspi_copy(touch.x, path.x);
+    path.left = std::max(0.0, path.left - touch.time);
   } else {
     double arm[3];
-    go_on(contact.time);
+    go_on(touch.time);
     mover.arm(touch.sphere, arm);
-    aspi_subtract(contact.x, arm, path.x);
+    aspi_subtract(touch.x, arm, path.x);
   }
   aspi_copy(v, begin);
 }
@@ -233,15 +221,14 @@ bool Flight::has_strayed(const double v[3], double most) const {
  */
 
 /* Faces of a flat mesh count as one. */
-bool Flight::Sustained::is_at(const Touch &now) const {
-  return touch.wall == now.wall && touch.shape == now.shape && touch.sphere == now.sphere &&
-         aspi_dot(n, now.contact.n) >
-             1 - (touch.contact.face == now.contact.face ? TURNED : ROUNDING);
+static bool is_at(const Held &one, const Touch &now) {
+  return one.wall == now.wall && one.shape == now.shape && one.sphere == now.sphere &&
+         aspi_dot(one.n_last, now.n) > 1 - (one.face == now.face ? TURNED : ROUNDING);
 }
 
-Flight::Sustained *Flight::find_sustained(const Touch &touch) {
-  for (Sustained &one : sustained)
-    if (one.is_at(touch))
+Held *Flight::find_sustained(const Touch &touch) {
+  for (Held &one : sustained)
+    if (is_at(one, touch))
       return &one;
   return NULL;
 }
@@ -260,58 +247,42 @@ double Flight::along_path(const Touch &touch, const double n[3]) const {
 /* Adds a sustained contact to those of this place, and solves all of them. One that is there
  * already is met again because the path is straight, and only the path changes. */
 void Flight::sustain(const Touch &touch, double hold) {
-  const Contact &contact = touch.contact;
-  const double speed = aspi_length(touch.before.v) + aspi_length(contact.v_wall);
-  const double least_speed = along_path(touch, contact.n_end) +
-                             (1 + ROUNDING) * std::max(0.0, contact.closing) + SUM_ROUNDING * speed;
+  const double speed = aspi_length(touch.before.v) + aspi_length(touch.v_wall);
+  const double least_speed = along_path(touch, touch.n_end) +
+                             (1 + ROUNDING) * std::max(0.0, touch.approach_speed) +
+                             SUM_ROUNDING * speed;
   is_led = false;
-  if (Sustained *one = find_sustained(touch)) {
-    one->least_speed = least_speed;
-    aspi_copy(contact.n, one->n);
-    aspi_copy(contact.n_end, one->n_end);
-  } else
-    add_sustained(touch, least_speed, hold);
+  Held *one = find_sustained(touch);
+  if (!one)
+    one = &add_sustained(touch, hold);
+  one->least_speed = least_speed;
+  aspi_copy(touch.n, one->n_last);
+  aspi_copy(touch.n_end, one->n_path);
   follow_walls();
 }
 
-void asperity::set_support(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
-                           const double n[3], const double v_wall[3], double hold, Support &s) {
-  const BodySphere &one = mover.sphere[sphere];
-  aspi_copy(n, s.n);
-  aspi_copy(v_wall, s.w);
-  mover.arm(sphere, s.arm);
-  if (!(hold > 0))
-    aspi_add_scaled(s.arm, -one.radius, n, s.arm);
-  s.friction = wall.setup.model.friction(one.type, wall.setup.shapes[shape].wall_type);
-  s.hold = hold;
-  aspi_copy(NONE, s.p);
-}
-
-void Flight::add_sustained(const Touch &touch, double least_speed, double hold) {
-  const Contact &contact = touch.contact;
+Held &Flight::add_sustained(const Touch &touch, double hold) {
   if (is_apart)
     settle();
   if (sustained.empty()) {
     aspi_copy(half, free_half);
     aspi_copy(spin, free_spin);
   }
-  Sustained one = {touch, least_speed, {0, 0, 0}, {0, 0, 0}};
-  aspi_copy(contact.n, one.n);
-  aspi_copy(contact.n_end, one.n_end);
-  sustained.push_back(one);
-  supports.push_back(Support());
-  Support &s = supports.back();
-  set_support(mover, *touch.wall, touch.shape, touch.sphere, contact.n, contact.v_wall, hold, s);
-  aspi_add_scaled(s.w, 0.5 * path.left * contact.follow + contact.chord, contact.n, s.w);
+  sustained.push_back(Held());
+  Held &one = sustained.back();
+  static_cast<Touch &>(one) = touch;
+  one.set(mover, hold);
+  aspi_add_scaled(one.w, 0.5 * path.left * touch.follow + touch.chord, touch.n, one.w);
 
   double before[3];
   aspi_copy(half, before);
   aspi_copy(free_half, half);
   aspi_copy(free_spin, spin);
-  squeezed = !solve_supports(mover, supports, half, spin) || squeezed;
+  squeezed = !solve_held(mover, sustained, half, spin) || squeezed;
   set_spin(spin);
   for (int d = 0; d < 3; d++)
     path.v[d] += half[d] - before[d];
+  return one;
 }
 
 /* Makes the path follow the walls as the search finds them, which differs slightly from the
@@ -319,64 +290,56 @@ void Flight::add_sustained(const Touch &touch, double least_speed, double hold) 
  * at this instant a ball moves along them. */
 void Flight::follow_walls() {
   aspi_copy(a0, acceleration);
-  for (const Sustained &one : sustained) {
-    const Contact &contact = one.touch.contact;
-    const double push = contact.follow + contact.curve - aspi_dot(acceleration, contact.n);
-    aspi_add_scaled(acceleration, std::max(0.0, push), contact.n, acceleration);
+  for (const Held &one : sustained) {
+    const double push = one.follow + one.curve - aspi_dot(acceleration, one.n);
+    aspi_add_scaled(acceleration, std::max(0.0, push), one.n, acceleration);
   }
   if (sustained.size() == 1 && mover.is_ball) {
-    const double *n = sustained[0].n_end, less = sustained[0].least_speed - aspi_dot(path.v, n);
+    const double *n = sustained[0].n_path, less = sustained[0].least_speed - aspi_dot(path.v, n);
     aspi_add_scaled(path.v, std::max(0.0, less), n, path.v);
   } else {
     double w[3];
     aspi_copy(turning, w);
-    along.resize(sustained.size());
-    for (size_t k = 0; k < sustained.size(); k++) {
-      const Sustained &one = sustained[k];
-      set_support(mover, *one.touch.wall, one.touch.shape, one.touch.sphere, one.n_end, one.n_end,
-                  0, along[k]);
-      along[k].friction = 0;
-      aspi_scale(one.least_speed, along[k].w);
+    along = sustained;
+    for (Held &one : along) {
+      aspi_copy(one.n_path, one.n);
+      one.set(mover, 0);
+      one.friction = 0;
+      aspi_copy(one.n, one.w);
+      aspi_scale(one.least_speed, one.w);
     }
-    solve_supports(mover, along, path.v, w);
+    solve_held(mover, along, path.v, w);
     aspi_subtract(w, turning, w);
     aspi_add_scaled(lift, mover.is_ball ? 0 : 1, w, lift);
   }
   aspi_add_scaled(half, elapsed() - 0.5 * dt, acceleration, begin);
-  for (const Sustained &one : sustained) {
-    const Contact &contact = one.touch.contact;
+  for (const Held &one : sustained)
     if (mover.is_ball)
-      aspi_add_scaled(begin, aspi_dot(contact.v_wall, contact.n) - aspi_dot(begin, contact.n),
-                      contact.n, begin);
-  }
+      aspi_add_scaled(begin, aspi_dot(one.v_wall, one.n) - aspi_dot(begin, one.n), one.n, begin);
 }
 
-void asperity::add_load(const Mover &mover, const double x[3], const Touch &touch, const Support &s,
-                        const double v[3], const double spin[3]) {
+void asperity::add_load(const Mover &mover, const double x[3], const Held &held) {
   double turned[3];
-  if (s.hold > 0)
-    twist_of(mover, s, turned);
-  ContactLoad load = mover.load(touch.sphere, touch.contact.piece, touch.contact.x, s.n, x, s.p,
-                                s.hold > 0 ? turned : NULL);
-  load.dissipated = mover.mass * slide_work(mover, s, v, spin);
-  touch.wall->books.add_load(touch.shape, load);
+  if (held.hold > 0)
+    twist_of(mover, held, turned);
+  ContactLoad load =
+      mover.load(held.sphere, held.piece, held.x, held.n, x, held.p, held.hold > 0 ? turned : NULL);
+  load.dissipated = mover.mass * held.work;
+  held.wall->books.add_load(held.shape, load);
 }
 
 /* Ends the contacts of this place: the walls take their impulses, and remember that the mover rests
  * at them. */
 void Flight::settle() {
-  for (size_t k = 0; k < sustained.size(); k++) {
-    const Touch &touch = sustained[k].touch;
-    const Support &s = supports[k];
-    add_load(mover, path.x, touch, s, half, spin);
-    aspi_add_scaled(settled, 1, s.p, settled);
-    const AtWall at = mover.at(*touch.wall);
+  for (const Held &one : sustained) {
+    add_load(mover, path.x, one);
+    aspi_add_scaled(settled, 1, one.p, settled);
+    const WallMemory at = mover.at(*one.wall);
     if (at.status() != Status::RESTING)
-      mover.members(*touch.wall).touching.push_back(mover.i);
-    at.rest_at(mover.sphere[touch.sphere].tag, touch.shape, touch.contact.face);
+      mover.members(*one.wall).touching.push_back(mover.i);
+    at.rest_at(mover.sphere[one.sphere].tag, one.shape, one.face);
   }
   sustained.clear();
-  supports.clear();
 }
 
 /* Load of a grain that has stuck, or of a mover that was trapped: its change of velocity over the
@@ -386,11 +349,11 @@ void Flight::give_rest(const Touch &touch, const double end[3]) const {
   aspi_subtract(end, v0, rest);
   aspi_add_scaled(rest, -0.5 * dt, a0, rest);
   aspi_subtract(rest, settled, rest);
-  for (const Event &event : events)
+  for (const Impact &impact : impacts)
     for (int d = 0; d < 3; d++)
-      rest[d] -= event.result.v2[d] - event.v1[d];
-  touch.wall->books.add_load(touch.shape, mover.load(touch.sphere, touch.contact.piece,
-                                                     touch.contact.x, NONE, path.x, rest, NULL));
+      rest[d] -= impact.result.v2[d] - impact.v1[d];
+  touch.wall->books.add_load(
+      touch.shape, mover.load(touch.sphere, touch.piece, touch.x, NONE, path.x, rest, NULL));
 }
 
 /* The walls leave no room: the mover goes with them, in their middle, and none of the impacts in
@@ -398,16 +361,16 @@ void Flight::give_rest(const Touch &touch, const double end[3]) const {
 void Flight::trap() {
   const double share = 1.0 / static_cast<double>(sustained.size());
   double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
-  for (size_t k = series_begin; k < events.size(); k++)
-    --mover.at(*events[k].wall).impacts();
-  events.erase(events.begin() + static_cast<std::ptrdiff_t>(series_begin), events.end());
+  for (size_t k = series_begin; k < impacts.size(); k++)
+    --mover.at(*impacts[k].wall).impacts();
+  impacts.erase(impacts.begin() + static_cast<std::ptrdiff_t>(series_begin), impacts.end());
   set_spin(series_spin);
-  for (const Sustained &one : sustained) {
+  for (const Held &one : sustained) {
     double arm[3];
-    mover.arm(one.touch.sphere, arm);
-    aspi_add_scaled(x, share, one.touch.contact.x, x);
+    mover.arm(one.sphere, arm);
+    aspi_add_scaled(x, share, one.x, x);
     aspi_add_scaled(x, -share, arm, x);
-    aspi_add_scaled(v, share, one.touch.contact.v_wall, v);
+    aspi_add_scaled(v, share, one.v_wall, v);
   }
   aspi_copy(x, path.x);
   aspi_copy(v, path.v);

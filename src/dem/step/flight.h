@@ -19,30 +19,7 @@ const double CURVE = 0.1;
 /* The angle by which a body turns in a stretch of its path at most, rad. */
 const double TURN = 0.1;
 
-/* An impact on the way of a mover. */
-struct Event : Impact {
-  Stepper *wall;
-  double elapsed; /* of the step */
-  bool grazes;    /* the mover was resting at the wall */
-};
-
-/* A sphere of the mover at a wall. */
-struct Touch {
-  Stepper *wall;
-  size_t shape, sphere;
-  Path before; /* of the sphere */
-  Contact contact;
-};
-
 struct Flight {
-  /* A sustained contact as it began. n: normal at the last contact. The path must move at least
-   * `least_speed` along n_end. */
-  struct Sustained {
-    Touch touch;
-    double least_speed, n[3], n_end[3];
-    bool is_at(const Touch &now) const;
-  };
-
   Mover &mover;
   const double dt;
   const int64_t step;
@@ -59,11 +36,10 @@ struct Flight {
   double turning[3], stretch, momentum[3], lift[3];
   bool is_led; /* no wall has changed its way */
 
-  std::vector<Event> events; /* the impacts of the step */
+  std::vector<Impact> impacts; /* of the step */
 
-  /* Contacts being solved together, and velocity and spin before them. */
-  std::vector<Sustained> sustained;
-  std::vector<Support> supports, along;
+  /* Contacts being solved together, those of the path, and velocity and spin before them. */
+  std::vector<Held> sustained, along;
   double free_half[3], free_spin[3];
   double settled[3]; /* impulses per mass of those that are over */
   bool squeezed;     /* no velocity satisfies all of them */
@@ -76,12 +52,15 @@ struct Flight {
   size_t series_begin;
   double series_spin[3];
 
-  /* A mover as the engine has moved it; or at the end of the step. first: of the run's walls. */
+  /* A mover as the engine has moved it. first: of the run's walls. */
   Flight(Mover &mover, const Movers &movers, const Instant &now, Stepper &first);
-  void put_at_end(const double x[3]);
 
   double elapsed() const {
     return dt - path.left;
+  }
+  /* Where it is, with this velocity. */
+  Moment moment(const double v[3]) const {
+    return Moment{path.x, v, spin, free, path.left, dt, step};
   }
   void velocity(double time, double v[3]) const;
   void advance(const Touch &touch, double v[3]);
@@ -98,7 +77,7 @@ struct Flight {
   double farthest() const;
   Path path_of(size_t sphere) const;
 
-  Sustained *find_sustained(const Touch &touch);
+  Held *find_sustained(const Touch &touch);
   void sustain(const Touch &touch, double hold);
   void settle();
   void give_rest(const Touch &touch, const double end[3]) const;
@@ -108,18 +87,13 @@ private:
   void turn_back(const Stepper &first);
   void act_along(const double n[3], double ahead[3]) const;
   void turn_alone(double time, double to[3][3]) const;
-  void add_sustained(const Touch &touch, double least_speed, double hold);
+  Held &add_sustained(const Touch &touch, double hold);
   void follow_walls();
   double along_path(const Touch &touch, const double n[3]) const;
 };
 
-/* The support of a contact, without an impulse yet. */
-void set_support(const Mover &mover, const Stepper &wall, size_t shape, size_t sphere,
-                 const double n[3], const double v_wall[3], double hold, Support &support);
-
-/* Counts the load of a solved contact of a mover at x, which leaves it this velocity and spin. */
-void add_load(const Mover &mover, const double x[3], const Touch &touch, const Support &support,
-              const double v[3], const double spin[3]);
+/* Counts the load of a solved contact of a mover at x. */
+void add_load(const Mover &mover, const double x[3], const Held &held);
 
 /* search.cpp: the first contacts of the rest of the path. Where a body turns so far that its
  * spheres may be off straight paths, they are searched by wider spheres, and where those meet a
@@ -128,29 +102,32 @@ void add_load(const Mover &mover, const double x[3], const Touch &touch, const S
 bool find_next(const std::vector<Stepper *> &walls, Flight &flight, std::vector<Touch> &touches);
 
 /* A contact, and the face of the rough wall there. */
-struct Site {
-  Flight &flight;
+struct ContactPoint {
   const Mover &mover;
+  const Moment now;
   Touch &touch;
   Stepper &wall;
-  Contact &contact;
   const BodySphere &one;
-  const AtWall memory;
-  double arm[3], v1[3]; /* to the touching sphere; of the mover relative to the wall, after what it
-                           has lost so far */
-  double press;         /* acceleration that presses the sphere to the wall; may be negative */
-  FacePlace *face;      /* NULL: the wall is smooth */
-  bool is_new, moved;   /* a face not met yet; the sphere has come to it along the wall */
+  const WallMemory memory;
+  double arm[3];         /* to the touching sphere */
+  double v1[3], spin[3]; /* of the mover, relative to the wall: after what it has lost so far */
+  double press;          /* acceleration that presses the sphere to the wall; may be negative */
+  FacePlace *face;       /* NULL: the wall is smooth */
+  bool is_new, moved;    /* a face not met yet; the sphere has come to it along the wall */
 
-  /* v: of the mover, which is there. */
-  Site(Flight &flight, Touch &touch, const double v[3]);
+  ContactPoint(const Mover &mover, const Moment &now, Touch &touch);
   const asp_wall *law() const;
   /* Of the touching sphere's center. */
   void sphere_velocity(double u[3]) const;
   double approach() const;
+  /* The sphere as it is here. lay: room for the wall's lay, if it has one. */
   asp_particle particle(double lay[3]);
-  Event event(double hits = 1) const;
-  void finish(Event &event) const;
+  bool has_lay() const;
+
+  /* An impact here without its result, the `nth` from now on. finish: with the result, its load is
+   * known, and it is the mover's next one. */
+  Impact impact(double nth = 1) const;
+  void finish(Impact &impact) const;
 
   /* faces.cpp: finds the sphere's face here, or gives it a new one. */
   void find_face(bool stays);
@@ -158,25 +135,19 @@ struct Site {
   void lose_bounce() const;
   double hold(bool is_sustained);
   void stop_along();
-  bool graze();
+  bool graze(Impact &impact);
 
 private:
   const FacePlace &valley();
   asp_key next_key() const;
-  void brake(const double to[3], const double spin[3]);
+  void brake(const double to[3], const double to_spin[3]);
   asp_body core_;
 };
 
-/* Gives the mover, which had the velocity v, what the last event leaves it; true: it has stuck. */
-bool take_impact(const Site &site, const double v[3]);
-
-/* step.cpp: counts the impacts, and takes what has stuck along with the wall. */
-void count_events(const Flight &flight);
-void leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers);
-
-/* stick.cpp: notes where a mover has stuck, and takes it along with the wall for what is left of
- * the step. */
-void stick(const Touch &touch, const Mover &mover, const Movers &movers, double left);
+/* stick.cpp: a mover sticks at x, with this velocity and spin, and goes with the wall for what is
+ * left of the step. */
+void freeze(const Touch &touch, const Mover &mover, const Movers &movers, const double x[3],
+            const double v[3], const double spin[3], double left);
 
 /* end_step.cpp: notes the energy of the rebounds of a ball on its way, for the end of the step. */
 void note_energy(const Flight &flight);

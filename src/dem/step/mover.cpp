@@ -26,9 +26,9 @@ bool is_round(const Body &body, const BodySphere &one) {
 /* ---- what it remembers ------------------------------------------------------------------------
  */
 
-std::vector<Rest> AtWall::NO_RESTS;
+std::vector<Rest> WallMemory::NO_RESTS;
 
-bool AtWall::rests_at(int64_t sphere, size_t shape, int face) const {
+bool WallMemory::rests_at(int64_t sphere, size_t shape, int face) const {
   for (const Rest &rest : rests())
     if (static_cast<int64_t>(rest.sphere) == sphere &&
         static_cast<size_t>(rest.shape) == shape + 1 && static_cast<int>(rest.face) == face)
@@ -36,7 +36,7 @@ bool AtWall::rests_at(int64_t sphere, size_t shape, int face) const {
   return false;
 }
 
-void AtWall::rest_at(int64_t sphere, size_t shape, int face) const {
+void WallMemory::rest_at(int64_t sphere, size_t shape, int face) const {
   Rest made = Rest();
   made.sphere = static_cast<double>(sphere);
   made.shape = static_cast<double>(shape) + 1;
@@ -55,14 +55,14 @@ void AtWall::rest_at(int64_t sphere, size_t shape, int face) const {
     *idle = made;
 }
 
-void AtWall::drop_rest(size_t k) const {
+void WallMemory::drop_rest(size_t k) const {
   std::vector<Rest> &all = rests();
   all.erase(all.begin() + static_cast<std::ptrdiff_t>(k));
   if (all.empty())
     set_status(Status::FREE);
 }
 
-FacePlace *AtWall::face_of(int64_t sphere, const double n[3]) const {
+FacePlace *WallMemory::face_of(int64_t sphere, const double n[3]) const {
   Memory *of = rows_.find(i_);
   for (size_t k = 0; of && k < of->faces.size(); k++)
     if (aspi_dot(of->faces[k].normal, n) > SAME_WALL &&
@@ -71,7 +71,7 @@ FacePlace *AtWall::face_of(int64_t sphere, const double n[3]) const {
   return NULL;
 }
 
-FacePlace &AtWall::new_face() const {
+FacePlace &WallMemory::new_face() const {
   std::vector<FacePlace> &faces = own().faces;
   if (faces.size() < FACES_MOST * spheres_) {
     faces.push_back(FacePlace());

@@ -17,9 +17,9 @@ const double SAME_WALL = 0.7;
 const double NONE[3] = {0, 0, 0};
 
 /* What a mover remembers of one wall. */
-class AtWall {
+class WallMemory {
 public:
-  AtWall(Memories &rows, int i, size_t spheres) : rows_(rows), i_(i), spheres_(spheres) {}
+  WallMemory(Memories &rows, int i, size_t spheres) : rows_(rows), i_(i), spheres_(spheres) {}
 
   double &impacts() const {
     return rows_.state[i_].impacts;
@@ -64,6 +64,14 @@ struct Instant {
   double x[3], v[3], spin[3], a[3], alpha[3];
 };
 
+/* A mover where it meets a wall: center of mass, velocity, spin, its acceleration by all but the
+ * walls at which it rests, and how much of the step is left. */
+struct Moment {
+  const double *x, *v, *spin, *free;
+  double left, dt;
+  int64_t step;
+};
+
 /* The grains, or the bodies, of this rank in a step. */
 class Movers {
 public:
@@ -75,12 +83,12 @@ public:
   Movers(const Spheres &of) : grains(&of), bodies(NULL), step(of.step), dt(of.dt) {}
   Movers(Bodies &of) : grains(NULL), bodies(&of), step(of.step), dt(of.dt) {}
 
-  Members &members(Stepper &wall) const {
+  Population &members(Stepper &wall) const {
     return bodies ? wall.bodies : wall.grains;
   }
   bool is_stuck(const std::vector<Stepper *> &walls, int i) const {
     for (Stepper *wall : walls) {
-      const Members &of = members(*wall);
+      const Population &of = members(*wall);
       if (!of.stuck.empty() && of.rows.is_stuck(i))
         return true;
     }
@@ -114,11 +122,11 @@ public:
   double axes[3][3]; /* now; unit vectors */
   double inverse[6]; /* mass times inverse inertia, now, of a body: xx, yy, zz, xy, xz, yz */
 
-  Members &members(Stepper &wall) const {
+  Population &members(Stepper &wall) const {
     return body ? wall.bodies : wall.grains;
   }
-  AtWall at(Stepper &wall) const {
-    return AtWall(members(wall).rows, i, count);
+  WallMemory at(Stepper &wall) const {
+    return WallMemory(members(wall).rows, i, count);
   }
 
   /* The number of the sphere with a tag, or how many there are; and the sphere that holds a stuck

@@ -35,13 +35,13 @@ static bool find_first(const Walls &walls, const Flight &flight, size_t sphere, 
     for (size_t m = 0; m < wall->setup.shapes.size(); m++) {
       Contact other;
       if (!wall->setup.shapes[m].shape->find(touch.before, one.radius + wider,
-                                             touch.wall ? touch.contact.time : latest, other))
+                                             touch.wall ? touch.time : latest, other))
         continue;
-      if (touch.wall && !((touch.contact.time - other.time) * other.closing > same))
+      if (touch.wall && !((touch.time - other.time) * other.approach_speed > same))
         continue;
       touch.wall = wall;
       touch.shape = m;
-      touch.contact = other;
+      static_cast<Contact &>(touch) = other;
     }
   }
   return touch.wall;
@@ -59,18 +59,17 @@ static bool search(const Walls &walls, const Flight &flight, double wider,
     const double slack = touches.empty() || !(speed > 0) ? 0 : AT_ONCE * radius / speed;
     if (!find_first(walls, flight, k, wider, std::min(flight.stretch, first + slack), touch))
       continue;
-    const double time = touch.contact.time;
+    const double time = touch.time;
     if (touches.empty() || time < first) {
-      const auto is_later = [&](const Touch &one) { return one.contact.time > time + slack; };
+      const auto is_later = [&](const Touch &one) { return one.time > time + slack; };
       touches.erase(std::remove_if(touches.begin(), touches.end(), is_later), touches.end());
       first = time;
     }
     touches.push_back(touch);
   }
   if (touches.size() > 1)
-    std::stable_sort(touches.begin(), touches.end(), [](const Touch &one, const Touch &other) {
-      return one.contact.time < other.contact.time;
-    });
+    std::stable_sort(touches.begin(), touches.end(),
+                     [](const Touch &one, const Touch &other) { return one.time < other.time; });
   return !touches.empty();
 }
 

@@ -44,11 +44,11 @@ const int SERIES = 16;
 const int CONTACTS_MOST = 10000;
 
 /* How far a contact has moved the center out of the wall. */
-double overlap(const Path &path, const Contact &contact) {
+double overlap(const Touch &touch) {
   double moved[3];
-  aspi_subtract(contact.x, path.x, moved);
-  aspi_add_scaled(moved, -contact.time, path.v, moved);
-  return aspi_dot(moved, contact.n);
+  aspi_subtract(touch.x, touch.before.x, moved);
+  aspi_add_scaled(moved, -touch.time, touch.before.v, moved);
+  return aspi_dot(moved, touch.n);
 }
 
 typedef std::vector<Stepper *> Walls;
@@ -69,26 +69,25 @@ static void search_all(const Walls &walls, Flight &flight) {
 
 /* The criterion at the top of this file, f - a.n as `press`; a point of a body falls faster to the
  * wall where others hold it, as its ends do at most. arrives: the sphere comes from elsewhere. */
-static bool is_sustained(Site &site, bool &arrives) {
-  Flight &flight = site.flight;
-  Contact &contact = site.contact;
+static bool is_sustained(Flight &flight, ContactPoint &at, bool &arrives) {
+  Contact &contact = at.touch;
   double u[3];
-  site.sphere_velocity(u);
+  at.sphere_velocity(u);
   const double dt = flight.dt, approach = -aspi_dot(u, contact.n), speed = aspi_length(u);
   if (!(fabs(contact.curve) * dt < CURVE * speed))
     contact.curve = contact.chord = 0;
-  const bool again = flight.find_sustained(site.touch);
-  const bool stayed = again || site.memory.status() != Status::FREE;
-  site.press = contact.follow - aspi_dot(flight.free, contact.n) + (stayed ? contact.curve : 0);
-  double falls = site.press;
-  if (!site.mover.is_ball) {
+  const bool again = flight.find_sustained(at.touch);
+  const bool stayed = again || at.memory.status() != Status::FREE;
+  at.press = contact.follow - aspi_dot(flight.free, contact.n) + (stayed ? contact.curve : 0);
+  double falls = at.press;
+  if (!at.mover.is_ball) {
     double side[3], turns[3];
-    aspi_cross(flight.spin, site.arm, side);
+    aspi_cross(flight.spin, at.arm, side);
     aspi_cross(flight.spin, side, turns);
     double arm[3], most = 1;
-    for (size_t k = 0; k < site.mover.count; k++) {
-      site.mover.arm(k, arm);
-      most = std::max(most, site.mover.response(arm, contact.n));
+    for (size_t k = 0; k < at.mover.count; k++) {
+      at.mover.arm(k, arm);
+      most = std::max(most, at.mover.response(arm, contact.n));
     }
     falls *= most;
     if (aspi_length(flight.spin) * dt < CURVE)
@@ -99,31 +98,28 @@ static bool is_sustained(Site &site, bool &arrives) {
   return again || !(approach > std::max((1 + ROUNDING) * 0.5 * dt * falls, least));
 }
 
-/* Applies the wall's law to a contact; the event is the last one then. */
-static const asp_impact &hit(Site &site) {
+/* Applies the wall's law to a contact, as the last impact of the flight. */
+static const asp_impact &hit(Flight &flight, ContactPoint &at) {
   double lay[3];
-  const asp_wall *law = site.law();
-  const asp_particle particle = site.particle(lay);
-  Event event = site.event();
-  (site.is_new ? asp_wall_impact : asp_wall_impact_mean)(law, &particle, site.v1, site.contact.n,
-                                                         &event.key, &event.result);
-  site.flight.events.push_back(event);
-  return site.flight.events.back().result;
+  const asp_wall *law = at.law();
+  const asp_particle particle = at.particle(lay);
+  flight.impacts.push_back(at.impact());
+  Impact &made = flight.impacts.back();
+  (at.is_new ? asp_wall_impact : asp_wall_impact_mean)(law, &particle, at.v1, at.touch.n, &made.key,
+                                                       &made.result);
+  return made.result;
 }
 
-/* The mover has this velocity before the last event, and what that leaves it afterwards. */
-bool asperity::take_impact(const Site &site, const double v[3]) {
-  Flight &flight = site.flight;
-  const asp_impact &result = flight.events.back().result;
-  site.finish(flight.events.back());
-  ++site.memory.impacts();
+/* Gives the mover, which had the velocity v, what its last impact leaves it. True: it sticks. */
+static bool take_impact(Flight &flight, const double v[3]) {
+  const Impact &last = flight.impacts.back();
   flight.settle();
-  if (result.outcome == ASP_DEPOSIT)
+  if (last.result.outcome == ASP_DEPOSIT)
     return true;
   double after[3];
-  flight.set_spin(result.omega);
-  aspi_add_scaled(site.contact.v_wall, 1, result.v2, after);
-  flight.turn(v, after, site.contact.n);
+  flight.set_spin(last.result.omega);
+  aspi_add_scaled(last.contact.v_wall, 1, last.result.v2, after);
+  flight.turn(v, after, last.contact.n);
   return false;
 }
 
@@ -131,17 +127,17 @@ bool asperity::take_impact(const Site &site, const double v[3]) {
  */
 
 /* The restitution of a sphere as if it hit alone, straight on. True if it sticks. */
-static bool hit_alone(Site &site, const Event &event, double &restitution) {
+static bool hit_alone(ContactPoint &at, const asp_key &key, double &restitution) {
   double lay[3], u[3], turned[3];
-  const double approach = site.approach();
-  asp_particle one = site.particle(lay);
+  const double approach = at.approach();
+  asp_particle one = at.particle(lay);
   asp_impact result;
   std::fill(one.omega, one.omega + 3, 0.0);
-  aspi_copy(site.contact.n, u);
+  aspi_copy(at.touch.n, u);
   aspi_scale(-approach, u);
-  asp_wall_impact_mean(site.law(), &one, u, site.contact.n, &event.key, &result);
-  aspi_cross(result.omega, site.arm, turned);
-  restitution = (aspi_dot(result.v2, site.contact.n) + aspi_dot(turned, site.contact.n)) / approach;
+  asp_wall_impact_mean(at.law(), &one, u, at.touch.n, &key, &result);
+  aspi_cross(result.omega, at.arm, turned);
+  restitution = (aspi_dot(result.v2, at.touch.n) + aspi_dot(turned, at.touch.n)) / approach;
   return result.outcome == ASP_DEPOSIT;
 }
 
@@ -149,56 +145,55 @@ static bool hit_alone(Site &site, const Event &event, double &restitution) {
  * for the approach of each alone, on average; if one of them sticks, the body does: its number,
  * else -1. */
 static int hit_together(Flight &flight, std::vector<Touch> &touches, const double v[3]) {
-  std::vector<Event> events;
-  std::vector<Support> points;
+  const Mover &mover = flight.mover;
+  std::vector<Impact> hits;
+  std::vector<Held> points;
   double e = 0, after[3], spin[3];
   for (size_t k = 0; k < touches.size(); k++) {
-    Site site(flight, touches[k], v);
-    double restitution, before = 1;
-    for (const Event &other : events)
-      before += other.wall == touches[k].wall;
-    events.push_back(site.event(before));
-    if (hit_alone(site, events[k], restitution)) {
-      Event event = site.event();
-      event.result.outcome = ASP_DEPOSIT;
-      event.result.hits = 1;
-      std::fill(event.result.omega, event.result.omega + 3, 0.0);
-      flight.events.push_back(event);
-      take_impact(site, v);
+    ContactPoint at(mover, flight.moment(v), touches[k]);
+    double restitution, nth = 1;
+    for (const Impact &other : hits)
+      nth += other.wall == touches[k].wall;
+    hits.push_back(at.impact(nth));
+    if (hit_alone(at, hits[k].key, restitution)) {
+      flight.impacts.push_back(at.impact());
+      asp_impact &result = flight.impacts.back().result;
+      result.outcome = ASP_DEPOSIT;
+      result.hits = 1;
+      at.finish(flight.impacts.back());
+      take_impact(flight, v);
       return static_cast<int>(k);
     }
     e += restitution;
-    points.push_back(Support());
-    set_support(flight.mover, *touches[k].wall, touches[k].shape, touches[k].sphere,
-                touches[k].contact.n, touches[k].contact.v_wall, 0, points.back());
+    points.push_back(Held());
+    static_cast<Touch &>(points.back()) = touches[k];
+    points.back().set(mover, 0);
   }
-  e = std::min(1.0, std::max(0.0, e / static_cast<double>(touches.size())));
+  const double share = 1.0 / static_cast<double>(touches.size());
+  e = std::min(1.0, std::max(0.0, e * share));
   aspi_copy(v, after);
   aspi_copy(flight.spin, spin);
   flight.settle();
-  solve_supports(flight.mover, points, after, spin);
-  const Mover &mover = flight.mover;
+  solve_held(mover, points, after, spin);
   for (int d = 0; d < 3; d++) {
     after[d] += e * (after[d] - v[d]);
     spin[d] += e * (spin[d] - flight.spin[d]);
   }
   double n[3] = {0, 0, 0};
-  const double share = 1.0 / static_cast<double>(touches.size());
   for (size_t k = 0; k < touches.size(); k++) {
-    Site site(flight, touches[k], v);
-    Event &event = events[k];
-    aspi_subtract(after, touches[k].contact.v_wall, event.result.v2);
-    aspi_copy(spin, event.result.omega);
-    event.result.hits = 1;
+    const Touch &touch = touches[k];
+    Impact &one = hits[k];
+    aspi_subtract(after, touch.v_wall, one.result.v2);
+    aspi_copy(spin, one.result.omega);
+    one.result.hits = 1;
     aspi_scale(1 + e, points[k].p);
-    event.load = mover.load(touches[k].sphere, touches[k].contact.piece, touches[k].contact.x,
-                            touches[k].contact.n, flight.path.x, points[k].p, NULL);
-    event.load.dissipated =
-        share * mover.mass *
-        (mover.energy(event.v1, flight.spin) - mover.energy(event.result.v2, spin));
-    flight.events.push_back(event);
-    ++site.memory.impacts();
-    aspi_add_scaled(n, share, touches[k].contact.n, n);
+    one.load =
+        mover.load(touch.sphere, touch.piece, touch.x, touch.n, flight.path.x, points[k].p, NULL);
+    one.load.dissipated = share * mover.mass *
+                          (mover.energy(one.v1, flight.spin) - mover.energy(one.result.v2, spin));
+    flight.impacts.push_back(one);
+    ++mover.at(*touch.wall).impacts();
+    aspi_add_scaled(n, share, touch.n, n);
   }
   flight.set_spin(spin);
   flight.turn(v, after, n);
@@ -207,20 +202,19 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
 
 /* True if a sphere rests at the face that it touches, or at one in the plane of an edge ahead. */
 static bool rests_there(const Flight &flight, const Touch &touch) {
-  const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
-  const AtWall of = flight.mover.at(*touch.wall);
-  if (of.rests_at(one.tag, touch.shape, contact.face) || !flight.mover.is_ball)
-    return of.rests_at(one.tag, touch.shape, contact.face);
+  const WallMemory of = flight.mover.at(*touch.wall);
+  if (of.rests_at(one.tag, touch.shape, touch.face) || !flight.mover.is_ball)
+    return of.rests_at(one.tag, touch.shape, touch.face);
   for (const Rest &rest : of.rests()) {
     Contact end = Contact();
     double distance, tilt[3];
     if (static_cast<int64_t>(rest.sphere) != one.tag ||
         static_cast<size_t>(rest.shape) != touch.shape + 1 ||
         !touch.wall->setup.shapes[touch.shape].shape->under(
-            static_cast<int>(rest.face), contact.x, touch.before.v, 2 * one.radius, end, distance))
+            static_cast<int>(rest.face), touch.x, touch.before.v, 2 * one.radius, end, distance))
       continue;
-    aspi_subtract(end.n, contact.n_end, tilt);
+    aspi_subtract(end.n, touch.n_end, tilt);
     if (aspi_length(tilt) < ON_EDGES)
       return true;
   }
@@ -231,22 +225,22 @@ static bool rests_there(const Flight &flight, const Touch &touch) {
  * so does one that does not approach its face, but for rounding of its own place: then the path
  * that is searched changes, and nothing else. */
 static bool slides(Flight &flight, const Touch &touch) {
-  const Contact &contact = touch.contact;
   const BodySphere &one = flight.mover.sphere[touch.sphere];
-  const double closing = std::max(0.0, contact.closing), deep = closing * flight.path.left;
+  const double approach = std::max(0.0, touch.approach_speed), deep = approach * flight.path.left;
   if (!flight.is_led || deep > OVERLAP * one.radius ||
       (deep > SUM_ROUNDING * one.radius && !rests_there(flight, touch)))
     return false;
   aspi_add_scaled(flight.path.v,
-                  (1 + ROUNDING) * closing + SUM_ROUNDING * aspi_length(touch.before.v),
-                  contact.n_end, flight.path.v);
+                  (1 + ROUNDING) * approach + SUM_ROUNDING * aspi_length(touch.before.v),
+                  touch.n_end, flight.path.v);
   return true;
 }
 
 /* The contacts of one instant: an impact, several at smooth walls, or all of them are sustained.
  * The number of the one by which the mover has stuck, else -1. all_stay: it is in a long series.
- * slid: no contact has done more than to slide. */
+ * slid: set if every contact only slid. */
 static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool &slid) {
+  const Mover &mover = flight.mover;
   double v[3];
   flight.advance(touches[0], v);
   slid = true;
@@ -259,17 +253,16 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
   bool smooth = true;
   for (size_t k = 0; k < touches.size(); k++) {
     Touch &touch = touches[k];
-    touch.contact.overlapped =
-        touch.contact.overlapped &&
-        overlap(touch.before, touch.contact) > OVERLAP * flight.mover.sphere[touch.sphere].radius;
+    touch.overlapped =
+        touch.overlapped && overlap(touch) > OVERLAP * mover.sphere[touch.sphere].radius;
     if (touches.size() == 1)
       break;
-    Site site(flight, touch, v);
+    ContactPoint at(mover, flight.moment(v), touch);
     bool arrives;
-    if (!all_stay && !is_sustained(site, arrives)) {
+    if (!all_stay && !is_sustained(flight, at, arrives)) {
       arriving.push_back(touch);
       number.push_back(k);
-      smooth = smooth && !asp_wall_surface(site.law());
+      smooth = smooth && !asp_wall_surface(at.law());
     }
   }
   if (arriving.size() > 1 && smooth) {
@@ -279,29 +272,33 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
   std::vector<double> holds;
   for (Touch &touch : touches) {
     const int k = static_cast<int>(holds.size());
-    Site site(flight, touch, v);
+    ContactPoint at(mover, flight.moment(v), touch);
     bool arrives;
-    const bool stays = is_sustained(site, arrives) || all_stay;
-    site.find_face(stays);
-    const bool low = !stays && site.is_low(), sustained = stays || low;
-    const double hold = all_stay || (site.is_new && !sustained) ? 0 : site.hold(sustained);
+    const bool stays = is_sustained(flight, at, arrives) || all_stay;
+    at.find_face(stays);
+    const bool low = !stays && at.is_low(), sustained = stays || low;
+    const double hold = all_stay || (at.is_new && !sustained) ? 0 : at.hold(sustained);
     if (!sustained && hold > 0)
-      site.stop_along();
+      at.stop_along();
     if (!sustained || (arrives && touch.wall->setup.model.sticks())) {
-      if (hit(site).outcome == ASP_DEPOSIT || !sustained)
-        return take_impact(site, v) ? k : -1;
-      flight.events.pop_back();
+      if (hit(flight, at).outcome == ASP_DEPOSIT || !sustained) {
+        at.finish(flight.impacts.back());
+        return take_impact(flight, v) ? k : -1;
+      }
+      flight.impacts.pop_back();
     }
-    if (!all_stay && !(hold > 0) && site.moved && site.graze())
-      return take_impact(site, v) ? k : -1;
+    Impact grazing;
+    if (!all_stay && !(hold > 0) && at.moved && at.graze(grazing)) {
+      flight.impacts.push_back(grazing);
+      return take_impact(flight, v) ? k : -1;
+    }
     if (low)
-      site.lose_bounce();
+      at.lose_bounce();
     holds.push_back(hold);
   }
   for (size_t k = 0; k < touches.size(); k++) {
     const Touch &touch = touches[k];
-    if (touch.contact.overlapped &&
-        overlap(touch.before, touch.contact) > DISPLACED * flight.mover.sphere[touch.sphere].radius)
+    if (touch.overlapped && overlap(touch) > DISPLACED * mover.sphere[touch.sphere].radius)
       touch.wall->books.count_guarded();
     flight.sustain(touch, holds[k]);
   }
@@ -328,12 +325,12 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
       aspi_add_scaled(flight.free, -1, rest.push, flight.free);
   while (by < 0 && !flight.squeezed && series < 2 * series_most && all < CONTACTS_MOST &&
          find_next(flight.searches_all ? walls : near, flight, touches)) {
-    flight.way += touches[0].contact.time * aspi_length(touches[0].before.v) / mover.sphere->radius;
+    flight.way += touches[0].time * aspi_length(touches[0].before.v) / mover.sphere->radius;
     flight.is_apart = flight.way > NEAR;
     flight.way = 0;
     if (all == 0 || flight.is_apart) {
       series = 0;
-      flight.series_begin = flight.events.size();
+      flight.series_begin = flight.impacts.size();
       aspi_copy(flight.spin, flight.series_spin);
     }
     series++;
@@ -352,7 +349,8 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   if (only_slid && (stands || all == 0) && series < 2 * series_most)
     return false;
   const bool endless = by < 0 && series == 2 * series_most;
-  if (flight.squeezed || (endless && mover.is_ball && flight.events.size() > flight.series_begin)) {
+  if (flight.squeezed ||
+      (endless && mover.is_ball && flight.impacts.size() > flight.series_begin)) {
     last.wall->books.count_guarded();
     search_all(walls, flight);
     flight.trap();
@@ -368,20 +366,6 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   if (by >= 0)
     stuck = touches[static_cast<size_t>(by)];
   return true;
-}
-
-void asperity::count_events(const Flight &flight) {
-  for (const Event &event : flight.events)
-    event.wall->books.count(event);
-}
-
-void asperity::leave_stuck(const Flight &flight, const Touch &touch, const Movers &movers) {
-  double v[3]; /* what the impact has left it */
-  aspi_subtract(flight.half, flight.begin, v);
-  aspi_add_scaled(v, 1, touch.contact.v_wall, v);
-  movers.place(flight.mover, flight.path.x);
-  movers.write(flight.mover, v, flight.events.back().result.omega);
-  stick(touch, flight.mover, movers, flight.path.left);
 }
 
 /* True if a grain's path meets one of these walls: those of most that are near do not. */
@@ -401,7 +385,7 @@ static bool meets(const Walls &near, const Spheres &s, int i) {
 }
 
 /* Where the engine's turn of a body differs from the one that was searched, the body takes that. */
-static void take_turn(Flight &flight, const Movers &movers) {
+static void apply_rotation(Flight &flight, const Movers &movers) {
   const Mover &mover = flight.mover;
   const Body &body = *mover.body;
   double off = 0;
@@ -431,12 +415,17 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
   const double most = grains ? Ahead::bend(grains->radius[i]) / movers.dt : 0;
   if (!fly(walls, grains ? near : walls, flight, most, stuck)) {
     if (!mover.is_ball)
-      take_turn(flight, movers);
+      apply_rotation(flight, movers);
     return;
   }
-  count_events(flight);
+  for (const Impact &impact : flight.impacts)
+    impact.wall->books.count(impact);
   if (stuck.wall) {
-    leave_stuck(flight, stuck, movers);
+    double v[3]; /* what the impact has left it */
+    aspi_subtract(flight.half, flight.begin, v);
+    aspi_add_scaled(v, 1, stuck.v_wall, v);
+    freeze(stuck, mover, movers, flight.path.x, v, flight.impacts.back().result.omega,
+           flight.path.left);
     return;
   }
   if (flight.path.left > 0)
@@ -448,11 +437,11 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
 
 /* Stuck movers go with their wall, then the few others that may touch a wall are searched. */
 static void step_movers(const Walls &walls, const Movers &movers) {
-  std::vector<Near> near;
+  std::vector<Candidate> near;
   Walls near_walls;
   const Spheres all = movers.bounds();
   for (size_t w = 0; w < walls.size(); w++) {
-    Members &of = movers.members(*walls[w]);
+    Population &of = movers.members(*walls[w]);
     const auto first = static_cast<std::ptrdiff_t>(near.size());
     of.begin_step();
     walls[w]->let_go(movers);

@@ -13,7 +13,7 @@ Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
       is_in_step(false), is_rough(false), is_still(false), has_to_delete(false), is_cut(false) {}
 
-void Members::list(const Spheres &s, int groupbit) {
+void Population::list(const Spheres &s, int groupbit) {
   stuck.clear();
   touching.clear();
   for (int i = 0; i < s.n; i++)
@@ -26,7 +26,7 @@ void Members::list(const Spheres &s, int groupbit) {
   ahead.reorder(s);
 }
 
-void Members::begin_step() {
+void Population::begin_step() {
   size_t kept = 0;
   for (int i : touching) {
     if (rows.status(i) == Status::RESTING)
@@ -37,7 +37,7 @@ void Members::begin_step() {
   touching.resize(kept);
 }
 
-void Members::begin_run(const Setup &setup, const Spheres &s) {
+void Population::begin_run(const Setup &setup, const Spheres &s) {
   ahead.begin_run();
   for (int i = 0; i < s.n; i++)
     if (rows.is_stuck(i) && setup.model.deposit() == Model::OFF)

@@ -32,13 +32,13 @@ struct StuckOne {
 };
 
 /* The particles, or the bodies, of this rank at a wall. */
-struct Members {
+struct Population {
   Memories &rows;
   Ahead ahead;
   std::vector<StuckOne> stuck;
   std::vector<int> touching; /* those that rest, or have rebounded in this step */
 
-  Members(const Setup &setup, Memories &its, bool are_bodies)
+  Population(const Setup &setup, Memories &its, bool are_bodies)
       : rows(its), ahead(setup, its, are_bodies) {}
 
   /* Lists those of a group that are at the wall, after they have got other indices or groups. */
@@ -58,7 +58,7 @@ struct Stepper {
   Books &books;
   Memories rows;
   BodyMemories body_rows;
-  Members grains, bodies;
+  Population grains, bodies;
   bool is_in_step;    /* between carry_stuck() and hold_stuck() */
   bool is_rough;      /* in this run */
   bool is_still;      /* no shape moves or measures what sticks to it in this step */

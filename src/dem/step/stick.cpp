@@ -37,9 +37,9 @@ static void follow(const Stepper &wall, Stuck &at, const double near[3], double 
 
 static Stuck &note(const Touch &touch, const Mover &mover) {
   Stepper &wall = *touch.wall;
-  Members &of = mover.members(wall);
+  Population &of = mover.members(wall);
   Place place;
-  wall.setup.shapes[touch.shape].shape->stick(touch.before, touch.contact, place);
+  wall.setup.shapes[touch.shape].shape->stick(touch.before, touch, place);
   const bool deletes = wall.setup.model.deposit() == Model::DELETE;
   of.rows.set_status(mover.i, deletes ? Status::TO_DELETE : Status::STUCK);
   wall.has_to_delete = wall.has_to_delete || deletes;
@@ -49,7 +49,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   to.sphere = static_cast<double>(mover.sphere[touch.sphere].tag);
   to.shape = static_cast<double>(touch.shape) + 1;
   to.piece = place.piece;
-  to.face = touch.contact.face;
+  to.face = touch.face;
   aspi_copy(place.at, to.at);
   return to;
 }
@@ -100,7 +100,10 @@ static void carry(Stepper &wall, const Movers &movers, int i, double left) {
   hold_one(wall, at, movers, mover);
 }
 
-void asperity::stick(const Touch &touch, const Mover &mover, const Movers &movers, double left) {
+void asperity::freeze(const Touch &touch, const Mover &mover, const Movers &movers,
+                      const double x[3], const double v[3], const double spin[3], double left) {
+  movers.place(mover, x);
+  movers.write(mover, v, spin);
   Stuck &at = note(touch, mover);
   if (mover.body)
     memcpy(at.axes, mover.axes, sizeof at.axes);
@@ -181,7 +184,7 @@ void Stepper::carry_stuck(const Movers &movers) {
 }
 
 void Stepper::hold_stuck(const Movers &movers) {
-  Members &of = movers.members(*this);
+  Population &of = movers.members(*this);
   is_in_step = false;
   for (StuckOne &at : of.stuck) {
     const Spheres *s = movers.grains;
@@ -227,7 +230,7 @@ static int face_now(const Member &member, const Stuck &at) {
 /* A deposit that the flow takes away rests at the wall, and does not stick again before it has left
  * it. */
 void Stepper::let_go(const Movers &movers) {
-  Members &of = movers.members(*this);
+  Population &of = movers.members(*this);
   if (of.stuck.empty() || !setup.model.has_flow())
     return;
   size_t kept = 0;

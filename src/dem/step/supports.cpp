@@ -24,7 +24,7 @@ const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
 const double SHRINKS = 0.98;
 
 /* Adds an impulse per mass at a contact. */
-inline void push(const Mover &mover, const Support &s, const double p[3], double v[3],
+inline void push(const Mover &mover, const Held &s, const double p[3], double v[3],
                  double omega[3]) {
   double turned[3];
   aspi_add_scaled(v, 1, p, v);
@@ -39,7 +39,7 @@ inline void push(const Mover &mover, const Support &s, const double p[3], double
 
 /* The velocity of the sphere's surface at a contact, or of its center in a valley, relative to the
  * wall. */
-inline void slip(const Mover &mover, const Support &s, const double v[3], const double omega[3],
+inline void slip(const Mover &mover, const Held &s, const double v[3], const double omega[3],
                  double u[3]) {
   double across[3];
   aspi_subtract(v, s.w, u);
@@ -52,22 +52,31 @@ inline void slip(const Mover &mover, const Support &s, const double v[3], const 
   }
 }
 
-/* The impulse that one contact of a ball needs where its surface has the velocity u without it. */
-inline void impulse(const Support &s, const double u[3], double p[3]) {
+/* The impulse that one contact of a ball needs where its surface has the velocity u without it, and
+ * the work of friction. */
+inline void impulse(Held &s, const double u[3], double p[3]) {
   const double normal = aspi_dot(u, s.n), p_n = std::max(0.0, -normal);
-  const double most = (s.hold > 0 ? s.hold : s.friction) * p_n, stops = s.hold > 0 ? 1 : 2.0 / 7;
   double along[3];
   aspi_add_scaled(u, -normal, s.n, along);
   const double square = aspi_dot(along, along);
-  const double share = stops * stops * square > most * most ? most / sqrt(square) : stops;
-  for (int d = 0; d < 3; d++)
-    p[d] = p_n * s.n[d] - share * along[d];
+  aspi_copy(s.n, p);
+  aspi_scale(p_n, p);
+  s.work = 0;
+  if (!(square > 0))
+    return;
+  const double most = (s.hold > 0 ? s.hold : s.friction) * p_n, stops = s.hold > 0 ? 1 : 2.0 / 7;
+  if (stops * stops * square > most * most) {
+    const double share = most / sqrt(square);
+    s.work = share * (1 - share / stops) * square;
+    aspi_add_scaled(p, -share, along, p);
+  } else
+    aspi_add_scaled(p, -stops, along, p);
 }
 
 /* ---- contacts one after another ---------------------------------------------------------------
  */
 
-void find_response(const Mover &mover, Support &s) {
+void find_response(const Mover &mover, Held &s) {
   for (int d = 0; d < 3; d++) {
     double p[3] = {0, 0, 0}, turned[3], across[3];
     p[d] = 1;
@@ -89,7 +98,7 @@ void stop(const double k[3][3], const double u[3], double p[3]) {
 
 /* The impulse of a point of a body that has the velocity u with the present one: the point stops,
  * or where friction cannot hold it or it parts, its approach is taken, then its friction cut. */
-void impulse_of_body(const Support &s, const double u[3], double p[3]) {
+void impulse_of_body(const Held &s, const double u[3], double p[3]) {
   const double friction = s.hold > 0 ? s.hold : s.friction;
   double along[3], n_k[3] = {0, 0, 0};
   stop(s.k, u, p);
@@ -113,7 +122,7 @@ void impulse_of_body(const Support &s, const double u[3], double p[3]) {
 }
 
 /* Solves one contact for the present impulses of the others. */
-inline void solve_one(const Mover &mover, Support &s, double v[3], double omega[3]) {
+inline void solve_one(const Mover &mover, Held &s, double v[3], double omega[3]) {
   double u[3], p[3], change[3];
   slip(mover, s, v, omega, u);
   if (mover.is_ball) {
@@ -132,20 +141,20 @@ inline void solve_one(const Mover &mover, Support &s, double v[3], double omega[
 /* Gauss-Seidel sweeps over the supports. The changes soon shrink by one factor from sweep to sweep:
  * every third sweep, the impulses jump by the sum of the remaining series (Aitken). False if an
  * approach is left. */
-bool sweep(const Mover &mover, const Supports &supports, double v[3], double omega[3]) {
+bool sweep(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
   const double converged = mover.is_ball ? CONVERGED : CONVERGED_OF_BODY;
   double first = 0, left = 0, speed = aspi_length(v), u[3];
-  for (Support &s : supports) {
+  for (Held &s : all) {
     s.change[0] = s.change[1] = s.change[2] = 0;
     slip(mover, s, v, omega, u);
     first = std::max(first, -aspi_dot(u, s.n));
     speed = std::max(speed, aspi_length(s.w));
   }
-  for (Support &s : supports)
+  for (Held &s : all)
     push(mover, s, s.p, v, omega);
   for (int n = 0; n < SWEEPS; n++) {
-    double before = 0, product = 0, now = 0, all = 0;
-    for (Support &s : supports) {
+    double before = 0, product = 0, now = 0, sum = 0;
+    for (Held &s : all) {
       double then[3], last[3];
       aspi_copy(s.p, then);
       aspi_copy(s.change, last);
@@ -154,54 +163,46 @@ bool sweep(const Mover &mover, const Supports &supports, double v[3], double ome
       before += aspi_dot(last, last);
       product += aspi_dot(s.change, last);
       now += aspi_dot(s.change, s.change);
-      all += aspi_dot(s.p, s.p);
+      sum += aspi_dot(s.p, s.p);
     }
-    if (!(sqrt(now) > converged * sqrt(all) + TINY * speed))
+    if (!(sqrt(now) > converged * sqrt(sum) + TINY * speed))
       break;
     if (n % 3 != 2 || !(product > 0 && product < SHRINKS * before))
       continue;
-    for (Support &s : supports) {
+    for (Held &s : all) {
       aspi_scale(product / (before - product), s.change);
       aspi_add_scaled(s.p, 1, s.change, s.p);
       push(mover, s, s.change, v, omega);
     }
   }
-  for (Support &s : supports) {
+  for (Held &s : all) {
     slip(mover, s, v, omega, u);
     left = std::max(left, -aspi_dot(u, s.n));
   }
   return !(left > (mover.is_ball ? DIVERGED : DIVERGED_OF_BODY) * first + TINY * speed);
 }
 
-bool solve(const Mover &mover, const Supports &supports, double v[3], double omega[3]) {
+bool solve(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
   double v_free[3], omega_free[3];
-  if (mover.is_ball && supports.count == 1) {
-    double u[3];
-    Support &only = supports.first[0];
-    slip(mover, only, v, omega, u);
-    impulse(only, u, only.p);
-    push(mover, only, only.p, v, omega);
-    return true;
-  }
-  for (Support &s : supports)
+  for (Held &s : all)
     if (!mover.is_ball)
       find_response(mover, s);
   aspi_copy(v, v_free);
   aspi_copy(omega, omega_free);
-  if (sweep(mover, supports, v, omega))
+  if (sweep(mover, all, v, omega))
     return true;
   /* Sweeps with friction may go round in a circle. */
-  for (Support &s : supports)
+  for (Held &s : all)
     s.friction = s.hold = s.p[0] = s.p[1] = s.p[2] = 0;
   aspi_copy(v_free, v);
   aspi_copy(omega_free, omega);
-  if (sweep(mover, supports, v, omega))
+  if (sweep(mover, all, v, omega))
     return true;
-  const double share = 1.0 / static_cast<double>(supports.count);
+  const double share = 1.0 / static_cast<double>(all.count);
   double mean[3] = {0, 0, 0};
-  for (Support &s : supports)
+  for (Held &s : all)
     aspi_add_scaled(mean, share, s.w, mean);
-  for (Support &s : supports) {
+  for (Held &s : all) {
     aspi_subtract(mean, v_free, s.p);
     aspi_scale(share, s.p);
   }
@@ -210,23 +211,59 @@ bool solve(const Mover &mover, const Supports &supports, double v[3], double ome
   return false;
 }
 
+/* A ball turns about the normal only where a valley holds it. */
+void stop_rolling(Held &s, double omega[3]) {
+  aspi_copy(NONE, s.turn);
+  if (!(s.hold > 0) || !(aspi_dot(s.p, s.n) > 0))
+    return;
+  aspi_add_scaled(s.turn, -1, omega, s.turn);
+  aspi_add_scaled(s.turn, aspi_dot(omega, s.n), s.n, s.turn);
+  aspi_add_scaled(omega, 1, s.turn, omega);
+}
+
+/* Impulse times sliding speed. */
+double slide_work(const Mover &mover, const Held &s, const double v[3], const double omega[3]) {
+  double u[3];
+  slip(mover, s, v, omega, u);
+  aspi_add_scaled(u, -aspi_dot(u, s.n), s.n, u);
+  return std::max(0.0, -aspi_dot(s.p, u));
+}
+
 } // namespace
 
-bool asperity::solve_supports(const Mover &mover, const Supports &supports, double v[3],
-                              double omega[3]) {
-  const bool solved = solve(mover, supports, v, omega);
-  for (Support &s : supports) {
-    s.turn[0] = s.turn[1] = s.turn[2] = 0;
-    if (!mover.is_ball || !(s.hold > 0) || !(aspi_dot(s.p, s.n) > 0))
-      continue;
-    aspi_add_scaled(s.turn, -1, omega, s.turn); /* it turns about the normal only */
-    aspi_add_scaled(s.turn, aspi_dot(omega, s.n), s.n, s.turn);
-    aspi_add_scaled(omega, 1, s.turn, omega);
+void Held::set(const Mover &mover, double slope) {
+  const BodySphere &one = mover.sphere[sphere];
+  aspi_copy(v_wall, w);
+  if (!mover.is_ball) {
+    mover.arm(sphere, arm);
+    if (!(slope > 0))
+      aspi_add_scaled(arm, -one.radius, n, arm);
+  }
+  friction = wall->setup.model.friction(one.type, wall->setup.shapes[shape].wall_type);
+  hold = slope;
+  aspi_copy(NONE, p);
+}
+
+bool asperity::solve_held(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
+  if (mover.is_ball && all.count == 1) {
+    Held &only = all.first[0];
+    double u[3];
+    slip(mover, only, v, omega, u);
+    impulse(only, u, only.p);
+    push(mover, only, only.p, v, omega);
+    stop_rolling(only, omega);
+    return true;
+  }
+  const bool solved = solve(mover, all, v, omega);
+  for (Held &s : all) {
+    if (mover.is_ball)
+      stop_rolling(s, omega);
+    s.work = slide_work(mover, s, v, omega);
   }
   return solved;
 }
 
-void asperity::twist_of(const Mover &mover, const Support &s, double twist[3]) {
+void asperity::twist_of(const Mover &mover, const Held &s, double twist[3]) {
   if (!mover.is_ball)
     mover.twist(s.arm, s.p, twist);
   else if (s.hold > 0)
@@ -235,12 +272,4 @@ void asperity::twist_of(const Mover &mover, const Support &s, double twist[3]) {
     aspi_cross(s.n, s.p, twist);
     aspi_scale(-2.5 / mover.sphere->radius, twist);
   }
-}
-
-double asperity::slide_work(const Mover &mover, const Support &support, const double v[3],
-                            const double omega[3]) {
-  double u[3];
-  slip(mover, support, v, omega, u);
-  aspi_add_scaled(u, -aspi_dot(u, support.n), support.n, u);
-  return std::max(0.0, -aspi_dot(support.p, u));
 }

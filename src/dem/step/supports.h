@@ -28,28 +28,43 @@
 
 namespace asperity {
 
-struct Support {
-  double n[3];   /* outward unit normal */
+/* A contact of one of the mover's spheres with a wall. */
+struct Touch : Contact {
+  Stepper *wall;
+  size_t shape, sphere;
+  Path before; /* of the sphere, by which the contact was found */
+};
+
+/* A contact that lasts; n is its normal. */
+struct Held : Touch {
   double w[3];   /* velocity of the wall's point; its part along n is what the mover must keep */
   double arm[3]; /* of a body */
   double friction;
   double hold;      /* tangent of the slope that the valley withstands; 0: there is none */
   double p[3];      /* impulse per mass on the mover: where it begins, and the result */
   double turn[3];   /* spin that the valley takes, as a change of omega */
+  double work;      /* energy per mass that friction takes from the mover */
   double change[3]; /* of p, by the last sweep */
   double k[3][3];   /* of a body: row d is the velocity of the point by the impulse e_d there */
+
+  /* On a path: the normal when it was met last, and at the path's end; along that, the path must
+   * move at least at this speed. */
+  double n_last[3], n_path[3], least_speed;
+
+  /* Sets what the solve needs, but `work`, without an impulse: n, v_wall and place are known. */
+  void set(const Mover &mover, double slope);
 };
 
 /* Those of one mover. */
-struct Supports {
-  Support *first;
+struct HeldList {
+  Held *first;
   size_t count;
-  Supports(Support *at, size_t n) : first(at), count(n) {}
-  Supports(std::vector<Support> &all) : first(all.data()), count(all.size()) {}
-  Support *begin() const {
+  HeldList(Held *at, size_t n) : first(at), count(n) {}
+  HeldList(std::vector<Held> &all) : first(all.data()), count(all.size()) {}
+  Held *begin() const {
     return first;
   }
-  Support *end() const {
+  Held *end() const {
     return first + count;
   }
 };
@@ -57,15 +72,10 @@ struct Supports {
 /* Changes v and omega of a mover. False where no velocity satisfies all contacts, as between walls
  * that close: then it moves with the mean of the walls' velocities, and the impulses are those that
  * bring it there, shared equally. */
-bool solve_supports(const Mover &mover, const Supports &supports, double v[3], double omega[3]);
+bool solve_held(const Mover &mover, const HeldList &all, double v[3], double omega[3]);
 
 /* The change of the spin by a solved contact. */
-void twist_of(const Mover &mover, const Support &support, double twist[3]);
-
-/* Energy per mass that friction of a solved contact takes from the mover: impulse times sliding
- * speed. */
-double slide_work(const Mover &mover, const Support &support, const double v[3],
-                  const double omega[3]);
+void twist_of(const Mover &mover, const Held &held, double twist[3]);
 
 } // namespace asperity
 
