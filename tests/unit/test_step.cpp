@@ -188,6 +188,7 @@ void valleys_get_what_grains_lose(void **) {
     grains.torque.assign(grains.torque.size(), 0.);
     kick_without_forces(grains, about, lost);
     end_walls(grains.steppers(), grains.spheres());
+    s.wall->books.end_loads();
   }
   add_momenta(grains, about, -1, lost);
   int lie = 0;

@@ -130,6 +130,8 @@ void Books::end_loads() {
   for (int d = 0; d < 3; d++) {
     counters_[FORCE + d] = rate * step_.p[d];
     counters_[TORQUE + d] = rate * step_.turn[d];
+    counters_[IMPULSE + d] += step_.p[d];
+    counters_[ANGULAR_IMPULSE + d] += step_.turn[d];
   }
   step_ = Impulses();
   expire();
@@ -178,8 +180,6 @@ Books::Impulses Books::impulses_at(const double point[3], const double p[3]) con
 void Books::add_impulses(const Impulses &all) {
   aspi_add_scaled(step_.p, 1, all.p, step_.p);
   aspi_add_scaled(step_.turn, 1, all.turn, step_.turn);
-  aspi_add_scaled(counters_ + IMPULSE, 1, all.p, counters_ + IMPULSE);
-  aspi_add_scaled(counters_ + ANGULAR_IMPULSE, 1, all.turn, counters_ + ANGULAR_IMPULSE);
 }
 
 void Books::keep_load(int i, const double x[3], const double v[3], double mass) {
@@ -209,9 +209,8 @@ void Books::drop_load(int i, const double x[3], const double v[3], double mass, 
 void Books::add_load(size_t shape, const ContactLoad &load) {
   ShapeSums &sums = shapes_[shape];
   double along[3];
-  Impulses all = impulses_at(load.point, load.impulse);
-  aspi_add_scaled(all.turn, 1, load.couple, all.turn);
-  add_impulses(all);
+  add_impulses(impulses_at(load.point, load.impulse));
+  aspi_add_scaled(step_.turn, 1, load.couple, step_.turn);
   if (load.particle >= 0) {
     MoverState &of = states_[load.particle];
     if (!(aspi_dot(of.force, of.force) > 0))

@@ -37,15 +37,22 @@ struct AtEnd : Instant {
   }
 };
 
-/* The contact of a sphere that rests at a face, with the mover's velocity and spin; false: it is
- * there no more. */
-bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double v[3],
-                const double spin[3], Held &at, double &distance) {
+/* A wall that holds a mover, and what the mover remembers of it. */
+struct Hold {
+  Stepper *wall;
+  Memory *memory;
+};
+
+/* The contact at which a sphere rests, with the mover's velocity and spin; false: it is there no
+ * more. off: how far the sphere is in the wall. */
+bool look_under(const AtEnd &now, Stepper &wall, Rest &rest, const double v[3],
+                const double spin[3], Held &at, double &off) {
   const Mover &mover = now.mover;
-  double u[3];
+  double u[3], distance;
   at.wall = &wall;
+  at.rest = &rest;
   at.shape = static_cast<size_t>(rest.shape) - 1;
-  at.sphere = mover.number_of(rest.sphere);
+  at.sphere = mover.is_ball ? 0 : mover.number_of(rest.sphere);
   if (at.sphere == mover.count || at.shape >= wall.setup.shapes.size())
     return false;
   aspi_copy(now.x, at.x);
@@ -60,11 +67,12 @@ bool look_under(const AtEnd &now, const Rest &rest, Stepper &wall, const double 
   aspi_copy(NONE, at.n);
   aspi_copy(NONE, at.v_wall);
   at.follow = at.curve = 0;
+  const double radius = mover.sphere[at.sphere].radius;
   if (!wall.setup.shapes[at.shape].shape->under(static_cast<int>(rest.face), at.x, u,
-                                                (1 + NEAR) * mover.sphere[at.sphere].radius, at,
-                                                distance))
+                                                (1 + NEAR) * radius, at, distance))
     return false;
   at.piece = at.face < 0 ? ~at.face : at.face;
+  off = radius - distance;
   if (!(fabs(at.curve) > 0))
     return true;
   aspi_subtract(u, at.v_wall, u);
@@ -97,56 +105,61 @@ bool meet_face(AtEnd &now, Touch &touch, double &hold, bool &sticks) {
 }
 
 /* What holds a mover; the next one uses the same list. */
-struct Resting {
-  std::vector<Held> held;
-  size_t count;
-  double push[3],
-      twist[3]; /* accelerations that the walls give until the middle of the next step */
-
-  Resting() : count(0) {}
+class Resting {
+public:
+  double push[3], twist[3]; /* accelerations by the walls until the middle of the next step */
 
   /* Changes velocity and spin to those of the end of the step. True: it has stuck. */
-  bool hold(const Walls &walls, AtEnd &now);
+  bool hold(const std::vector<Hold> &by, AtEnd &now);
 
 private:
-  bool find(const Walls &walls, AtEnd &now, const double v[3], const double spin[3], bool &sticks);
-  void keep(const Walls &walls, const AtEnd &now, const double v[3], const double spin[3]);
+  bool find(const std::vector<Hold> &by, AtEnd &now, const double v[3], const double spin[3],
+            bool &sticks);
+  void keep(const std::vector<Hold> &by, const AtEnd &now, const double v[3], const double spin[3]);
+  void drop(Rest &rest) {
+    rest.shape = 0;
+    any_dropped_ = true;
+  }
+
+  std::vector<Held> held_;
+  size_t count_;
+  bool any_dropped_;
 };
 
 /* v, spin: in the middle of the next step, without the walls. False: it has hit a face on its way,
  * and these are others. */
-bool Resting::find(const Walls &walls, AtEnd &now, const double v[3], const double spin[3],
+bool Resting::find(const std::vector<Hold> &by, AtEnd &now, const double v[3], const double spin[3],
                    bool &sticks) {
   const Mover &mover = now.mover;
-  count = 0;
-  for (Stepper *wall : walls) {
-    const WallMemory of = mover.at(*wall);
-    const std::vector<Rest> &rests = of.rests();
-    for (size_t k = 0; k < rests.size(); k++) {
-      double distance, hold = 0;
-      if (held.size() == count)
-        held.push_back(Held());
-      Held &at = held[count];
-      if (!look_under(now, rests[k], *wall, v, spin, at, distance))
+  count_ = 0;
+  for (const Hold &one : by)
+    for (Rest &rest : one.memory->rests) {
+      double off, slope = 0;
+      if (held_.size() == count_)
+        held_.push_back(Held());
+      Held &at = held_[count_];
+      if (!look_under(now, *one.wall, rest, v, spin, at, off)) {
+        drop(rest);
         continue;
-      if (wall->is_rough && meet_face(now, at, hold, sticks)) {
+      }
+      if (one.wall->is_rough && meet_face(now, at, slope, sticks)) {
         if (!sticks)
-          of.drop_rest(k);
-        mover.members(*wall).ahead.expire(mover.i);
+          drop(rest);
         return false;
       }
-      const double radius = mover.sphere[at.sphere].radius, off = radius - distance;
-      count++;
-      at.set(mover, hold);
-      aspi_add_scaled(at.p, now.dt, rests[k].push, at.p);
+      const double radius = mover.sphere[at.sphere].radius;
       double rises = 0.5 * now.dt * (at.follow + at.curve);
       if (!(off < OVERLAP * radius))
-        mover.members(*wall).ahead.expire(mover.i);
+        mover.members(*one.wall).ahead.expire(mover.i);
       else if (fabs(off) > TOUCHING * radius)
         rises += off / now.dt;
-      aspi_add_scaled(at.w, rises, at.n, at.w);
+      at.set(mover, slope);
+      if (fabs(rises) > 0)
+        aspi_add_scaled(at.w, rises, at.n, at.w);
+      count_++;
     }
-  }
+  for (size_t k = 0; k < count_ && (count_ > 1 || !mover.is_ball); k++)
+    aspi_add_scaled(held_[k].p, now.dt, held_[k].rest->push, held_[k].p);
   return true;
 }
 
@@ -165,65 +178,56 @@ bool lifts_off(const AtEnd &now, const Held &at, const double v[3], const double
 }
 
 /* Notes and counts what has held the mover. */
-void Resting::keep(const Walls &walls, const AtEnd &now, const double v[3], const double spin[3]) {
+void Resting::keep(const std::vector<Hold> &by, const AtEnd &now, const double v[3],
+                   const double spin[3]) {
   const Mover &mover = now.mover;
   const double rate = 1 / now.dt;
-  size_t k = 0;
   aspi_copy(NONE, push);
   aspi_copy(NONE, twist);
-  for (Stepper *wall : walls) {
-    const WallMemory of = mover.at(*wall);
-    std::vector<Rest> &rests = of.rests();
-    size_t kept = 0;
-    for (; k < count && held[k].wall == wall; k++) {
-      const Held &at = held[k];
-      if (lifts_off(now, at, v, spin))
-        continue;
-      Rest &rest = rests[kept++];
-      rest.sphere = static_cast<double>(mover.sphere[at.sphere].tag);
-      rest.shape = static_cast<double>(at.shape) + 1;
-      rest.face = at.face;
-      aspi_copy(at.p, rest.push);
-      aspi_scale(rate, rest.push);
-      twist_of(mover, at, rest.twist);
-      aspi_scale(rate, rest.twist);
-      aspi_add_scaled(push, 1, rest.push, push);
-      aspi_add_scaled(twist, 1, rest.twist, twist);
-      add_load(mover, now.x, at);
+  for (size_t k = 0; k < count_; k++) {
+    const Held &at = held_[k];
+    Rest &rest = *at.rest;
+    if (lifts_off(now, at, v, spin)) {
+      drop(rest);
+      continue;
     }
-    if (kept < rests.size()) {
-      rests.resize(kept);
-      mover.members(*wall).ahead.expire(mover.i);
-    }
-    if (rests.empty())
-      of.set_status(Status::FREE);
-    else
-      aspi_copy(now.a, of.own().free);
+    rest.face = at.face;
+    aspi_copy(at.p, rest.push);
+    aspi_scale(rate, rest.push);
+    aspi_copy(at.turn, rest.twist);
+    aspi_scale(rate, rest.twist);
+    aspi_add_scaled(push, 1, rest.push, push);
+    aspi_add_scaled(twist, 1, rest.twist, twist);
+    add_load(mover, now.x, at);
+  }
+  for (const Hold &one : by) {
+    aspi_copy(now.a, one.memory->free);
+    if (any_dropped_ && mover.at(*one.wall).drop_gone())
+      mover.members(*one.wall).ahead.expire(mover.i);
   }
 }
 
-bool Resting::hold(const Walls &walls, AtEnd &now) {
+bool Resting::hold(const std::vector<Hold> &by, AtEnd &now) {
   double before[3], turning[3], v[3], spin[3];
   bool sticks = false;
+  any_dropped_ = false;
   do {
     aspi_add_scaled(now.v, 0.5 * now.dt, now.a, before);
     aspi_add_scaled(now.spin, 0.5 * now.dt, now.alpha, turning);
-  } while (!find(walls, now, before, turning, sticks) && !sticks);
+  } while (!find(by, now, before, turning, sticks) && !sticks);
   if (sticks)
     return true;
   aspi_copy(before, v);
   aspi_copy(turning, spin);
-  if (count > 0 && !solve_held(now.mover, HeldList(held.data(), count), v, spin)) {
-    count = 0; /* walls that close: the next flight finds out */
-    keep(walls, now, v, spin);
-    aspi_copy(v, now.v);
-    return false;
-  }
-  keep(walls, now, v, spin);
-  for (int d = 0; d < 3; d++) {
-    now.v[d] += 0.5 * (v[d] - before[d]);
-    now.spin[d] += 0.5 * (spin[d] - turning[d]);
-  }
+  const bool solved = solve_held(now.mover, HeldList(held_.data(), count_), v, spin);
+  for (size_t k = 0; k < count_ && !solved; k++)
+    drop(*held_[k].rest);
+  if (!solved) /* walls that close: the next flight finds out */
+    count_ = 0;
+  keep(by, now, v, spin);
+  aspi_copy(solved ? now.v : v, now.v);
+  aspi_add_scaled(now.v, 0.5 * now.dt, push, now.v);
+  aspi_add_scaled(now.spin, 0.5 * now.dt, twist, now.spin);
   return false;
 }
 
@@ -313,19 +317,23 @@ static void balance(Stepper &wall, const Movers &movers, int i) {
  */
 
 /* A mover that rests at these walls. */
-static void end_one(const Walls &walls, const Movers &movers, int i, Resting &resting) {
+static void end_one(const std::vector<Hold> &by, const Movers &movers, int i, Resting &resting) {
   const Mover mover(movers, i);
   AtEnd now(mover, movers);
-  if (resting.hold(walls, now))
+  if (resting.hold(by, now))
     return;
   movers.write(mover, now.v, now.spin);
   movers.push(mover, resting.push, resting.twist);
 }
 
-/* Calls act(walls, i) for each mover that rests and is not stuck, with the walls that hold it. */
+/* Calls act(by, i) for each mover that rests and is not stuck, with the walls that hold it. */
 template <class Act> static void for_resting(const Walls &walls, const Movers &movers, Act act) {
   std::vector<Candidate> all;
-  Walls held_by;
+  std::vector<Hold> by;
+  size_t most = 0;
+  for (Stepper *wall : walls)
+    most += movers.members(*wall).touching.size();
+  all.reserve(most);
   for (size_t w = 0; w < walls.size(); w++) {
     const Population &of = movers.members(*walls[w]);
     for (int i : of.touching)
@@ -336,10 +344,12 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
     std::sort(all.begin(), all.end());
   for (size_t k = 0; k < all.size();) {
     const int i = all[k].i;
-    held_by.clear();
-    for (; k < all.size() && all[k].i == i; k++)
-      held_by.push_back(walls[all[k].wall]);
-    act(held_by, i);
+    by.clear();
+    for (; k < all.size() && all[k].i == i; k++) {
+      Stepper *wall = walls[static_cast<size_t>(all[k].wall)];
+      by.push_back(Hold{wall, movers.members(*wall).rows.find(i)});
+    }
+    act(by, i);
   }
 }
 
@@ -353,23 +363,23 @@ static void end_movers(const Walls &walls, const Movers &movers) {
         balance(*wall, movers, i);
   }
   for_resting(walls, movers,
-              [&](const Walls &held_by, int i) { end_one(held_by, movers, i, resting); });
+              [&](const std::vector<Hold> &by, int i) { end_one(by, movers, i, resting); });
 }
 
 /* Where the script has changed the forces, the walls' old ones would move what rests, and the next
  * step finds new ones. */
 void asperity::push_again(const Walls &walls, const Movers &movers) {
-  for_resting(walls, movers, [&](const Walls &held_by, int i) {
+  for_resting(walls, movers, [&](const std::vector<Hold> &by, int i) {
     const Mover mover(movers, i);
-    const double *before = mover.at(*held_by[0]).own().free;
+    const double *before = by[0].memory->free;
     double push[3] = {0, 0, 0}, twist[3] = {0, 0, 0}, change[3];
     Instant now;
     movers.read_rates(mover, now);
     aspi_subtract(now.a, before, change);
     if (aspi_length(change) > ROUNDING * aspi_length(before))
       return;
-    for (Stepper *wall : held_by)
-      for (const Rest &rest : mover.at(*wall).rests()) {
+    for (const Hold &one : by)
+      for (const Rest &rest : one.memory->rests) {
         aspi_add_scaled(push, 1, rest.push, push);
         aspi_add_scaled(twist, 1, rest.twist, twist);
       }

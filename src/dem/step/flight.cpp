@@ -319,11 +319,8 @@ void Flight::follow_walls() {
 }
 
 void asperity::add_load(const Mover &mover, const double x[3], const Held &held) {
-  double turned[3];
-  if (held.hold > 0)
-    twist_of(mover, held, turned);
-  ContactLoad load =
-      mover.load(held.sphere, held.piece, held.x, held.n, x, held.p, held.hold > 0 ? turned : NULL);
+  ContactLoad load = mover.load(held.sphere, held.piece, held.x, held.n, x, held.p,
+                                held.hold > 0 ? held.turn : NULL);
   load.dissipated = mover.mass * held.work;
   held.wall->books.add_load(held.shape, load);
 }

@@ -55,11 +55,15 @@ void WallMemory::rest_at(int64_t sphere, size_t shape, int face) const {
     *idle = made;
 }
 
-void WallMemory::drop_rest(size_t k) const {
+bool WallMemory::drop_gone() const {
   std::vector<Rest> &all = rests();
-  all.erase(all.begin() + static_cast<std::ptrdiff_t>(k));
+  const auto last =
+      std::remove_if(all.begin(), all.end(), [](const Rest &rest) { return !(rest.shape >= 1); });
+  const bool any = last != all.end();
+  all.erase(last, all.end());
   if (all.empty())
     set_status(Status::FREE);
+  return any;
 }
 
 FacePlace *WallMemory::face_of(int64_t sphere, const double n[3]) const {
@@ -120,37 +124,21 @@ bool Mover::is_central(size_t k) const {
 /* ---- all of them ------------------------------------------------------------------------------
  */
 
-void Movers::read(const Mover &mover, Instant &now) const {
-  if (const Body *body = mover.body) {
-    double momentum[3];
-    aspi_copy(body->x, now.x);
-    aspi_copy(body->v, now.v);
-    aspi_copy(body->angular_momentum, momentum);
-    aspi_scale(1 / mover.mass, momentum);
-    mover.spin_of(momentum, now.spin);
-  } else {
-    const size_t at = 3 * static_cast<size_t>(mover.i);
-    aspi_copy(grains->x + at, now.x);
-    aspi_copy(grains->v + at, now.v);
-    aspi_copy(grains->omega ? grains->omega + at : NONE, now.spin);
-  }
+void Movers::read_body(const Mover &mover, Instant &now) const {
+  double momentum[3];
+  aspi_copy(mover.body->x, now.x);
+  aspi_copy(mover.body->v, now.v);
+  aspi_copy(mover.body->angular_momentum, momentum);
+  aspi_scale(1 / mover.mass, momentum);
+  mover.spin_of(momentum, now.spin);
 }
 
-void Movers::read_rates(const Mover &mover, Instant &now) const {
-  if (const Body *body = mover.body) {
-    double torque[3];
-    aspi_copy(body->acceleration, now.a);
-    aspi_copy(body->torque, torque);
-    aspi_scale(1 / mover.mass, torque);
-    mover.spin_of(torque, now.alpha);
-  } else {
-    const size_t at = 3 * static_cast<size_t>(mover.i);
-    const double radius = mover.sphere->radius;
-    aspi_copy(grains->f + at, now.a);
-    aspi_scale(1 / mover.mass, now.a);
-    aspi_copy(grains->torque ? grains->torque + at : NONE, now.alpha);
-    aspi_scale(1 / (0.4 * mover.mass * radius * radius), now.alpha);
-  }
+void Movers::read_body_rates(const Mover &mover, Instant &now) const {
+  double torque[3];
+  aspi_copy(mover.body->acceleration, now.a);
+  aspi_copy(mover.body->torque, torque);
+  aspi_scale(1 / mover.mass, torque);
+  mover.spin_of(torque, now.alpha);
 }
 
 void Movers::place(const Mover &mover, const double x[3]) const {
@@ -166,37 +154,21 @@ void Movers::place(const Mover &mover, const double x[3]) const {
   memcpy(body.axes, mover.axes, sizeof body.axes);
 }
 
-void Movers::write(const Mover &mover, const double v[3], const double spin[3]) const {
-  if (mover.body) {
-    Body &body = bodies->all[static_cast<size_t>(mover.i)];
-    body.is_changed = true;
-    aspi_copy(v, body.v);
-    mover.momentum_of(spin, body.angular_momentum);
-    aspi_scale(mover.mass, body.angular_momentum);
-  } else {
-    const size_t at = 3 * static_cast<size_t>(mover.i);
-    aspi_copy(v, grains->v + at);
-    if (grains->omega)
-      aspi_copy(spin, grains->omega + at);
-  }
+void Movers::write_body(const Mover &mover, const double v[3], const double spin[3]) const {
+  Body &body = bodies->all[static_cast<size_t>(mover.i)];
+  body.is_changed = true;
+  aspi_copy(v, body.v);
+  mover.momentum_of(spin, body.angular_momentum);
+  aspi_scale(mover.mass, body.angular_momentum);
 }
 
-void Movers::push(const Mover &mover, const double a[3], const double alpha[3]) const {
+void Movers::push_body(const Mover &mover, const double a[3], const double alpha[3]) const {
   double torque[3];
-  if (mover.body) {
-    Body &body = bodies->all[static_cast<size_t>(mover.i)];
-    body.is_changed = true;
-    aspi_add_scaled(body.acceleration, 1, a, body.acceleration);
-    mover.momentum_of(alpha, torque);
-    aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
-  } else {
-    const size_t at = 3 * static_cast<size_t>(mover.i);
-    const double radius = mover.sphere->radius;
-    aspi_add_scaled(grains->f + at, mover.mass, a, grains->f + at);
-    if (grains->torque)
-      aspi_add_scaled(grains->torque + at, 0.4 * mover.mass * radius * radius, alpha,
-                      grains->torque + at);
-  }
+  Body &body = bodies->all[static_cast<size_t>(mover.i)];
+  body.is_changed = true;
+  aspi_add_scaled(body.acceleration, 1, a, body.acceleration);
+  mover.momentum_of(alpha, torque);
+  aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
 }
 
 /* ---- how it turns -----------------------------------------------------------------------------
@@ -293,7 +265,8 @@ asp_body Mover::core_body(const double at[3]) const {
 ContactLoad Mover::load(size_t k, int piece, const double center[3], const double n[3],
                         const double x[3], const double change[3], const double turned[3]) const {
   double lever[3], momentum[3];
-  ContactLoad made = ContactLoad();
+  ContactLoad made;
+  made.dissipated = made.eroded = made.couple[0] = made.couple[1] = made.couple[2] = 0;
   made.particle = body ? -1 : i;
   made.piece = piece;
   made.mask = sphere[k].mask;

@@ -5,6 +5,7 @@
 #ifndef ASPERITY_DEM_MOVER_H
 #define ASPERITY_DEM_MOVER_H
 
+#include "contact/vector.h"
 #include "dem/step/bodies.h"
 #include "dem/step/stepper.h"
 
@@ -42,7 +43,8 @@ public:
   bool rests_at(int64_t sphere, size_t shape, int face) const;
   /* Keeps the faces that press if there are more than it has room for. */
   void rest_at(int64_t sphere, size_t shape, int face) const;
-  void drop_rest(size_t k) const;
+  /* Drops the rests of which the shape is gone; true if there were some. */
+  bool drop_gone() const;
 
   FacePlace *face_of(int64_t sphere, const double n[3]) const;
   /* The place of another face: a new one, or that which was met longest ago. */
@@ -106,6 +108,12 @@ public:
   void write(const Mover &mover, const double v[3], const double spin[3]) const;
   /* Adds accelerations to what acts on it. */
   void push(const Mover &mover, const double a[3], const double alpha[3]) const;
+
+private:
+  void read_body(const Mover &mover, Instant &now) const;
+  void read_body_rates(const Mover &mover, Instant &now) const;
+  void write_body(const Mover &mover, const double v[3], const double spin[3]) const;
+  void push_body(const Mover &mover, const double a[3], const double alpha[3]) const;
 };
 
 class Mover {
@@ -127,6 +135,11 @@ public:
   }
   WallMemory at(Stepper &wall) const {
     return WallMemory(members(wall).rows, i, count);
+  }
+
+  /* The moment of inertia of a ball. */
+  double ball_inertia() const {
+    return 0.4 * mass * radius_ * radius_;
   }
 
   /* The number of the sphere with a tag, or how many there are; and the sphere that holds a stuck
@@ -167,6 +180,51 @@ private:
   BodySphere own_; /* of a grain */
   double radius_;
 };
+
+inline void Movers::read(const Mover &mover, Instant &now) const {
+  if (mover.body) {
+    read_body(mover, now);
+    return;
+  }
+  const size_t at = 3 * static_cast<size_t>(mover.i);
+  aspi_copy(grains->x + at, now.x);
+  aspi_copy(grains->v + at, now.v);
+  aspi_copy(grains->omega ? grains->omega + at : NONE, now.spin);
+}
+
+inline void Movers::read_rates(const Mover &mover, Instant &now) const {
+  if (mover.body) {
+    read_body_rates(mover, now);
+    return;
+  }
+  const size_t at = 3 * static_cast<size_t>(mover.i);
+  aspi_copy(grains->f + at, now.a);
+  aspi_scale(1 / mover.mass, now.a);
+  aspi_copy(grains->torque ? grains->torque + at : NONE, now.alpha);
+  aspi_scale(1 / mover.ball_inertia(), now.alpha);
+}
+
+inline void Movers::write(const Mover &mover, const double v[3], const double spin[3]) const {
+  if (mover.body) {
+    write_body(mover, v, spin);
+    return;
+  }
+  const size_t at = 3 * static_cast<size_t>(mover.i);
+  aspi_copy(v, grains->v + at);
+  if (grains->omega)
+    aspi_copy(spin, grains->omega + at);
+}
+
+inline void Movers::push(const Mover &mover, const double a[3], const double alpha[3]) const {
+  if (mover.body) {
+    push_body(mover, a, alpha);
+    return;
+  }
+  const size_t at = 3 * static_cast<size_t>(mover.i);
+  aspi_add_scaled(grains->f + at, mover.mass, a, grains->f + at);
+  if (grains->torque)
+    aspi_add_scaled(grains->torque + at, mover.ball_inertia(), alpha, grains->torque + at);
+}
 
 /* The product of a symmetric matrix xx, yy, zz, xy, xz, yz. */
 void multiply(const double m[6], const double a[3], double out[3]);

@@ -23,18 +23,25 @@ const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
 /* The factor by which changes shrink, at most. */
 const double SHRINKS = 0.98;
 
+/* The change of the spin by an impulse per mass at a contact. */
+inline void turn_of(const Mover &mover, const Held &s, const double p[3], double turn[3]) {
+  if (!mover.is_ball)
+    mover.twist(s.arm, p, turn);
+  else if (s.hold > 0)
+    aspi_copy(NONE, turn);
+  else {
+    aspi_cross(s.n, p, turn);
+    aspi_scale(-2.5 / mover.sphere->radius, turn);
+  }
+}
+
 /* Adds an impulse per mass at a contact. */
 inline void push(const Mover &mover, const Held &s, const double p[3], double v[3],
                  double omega[3]) {
-  double turned[3];
+  double turn[3];
   aspi_add_scaled(v, 1, p, v);
-  if (!mover.is_ball) {
-    mover.twist(s.arm, p, turned);
-    aspi_add_scaled(omega, 1, turned, omega);
-  } else if (!(s.hold > 0)) {
-    aspi_cross(s.n, p, turned);
-    aspi_add_scaled(omega, -2.5 / mover.sphere->radius, turned, omega);
-  }
+  turn_of(mover, s, p, turn);
+  aspi_add_scaled(omega, 1, turn, omega);
 }
 
 /* The velocity of the sphere's surface at a contact, or of its center in a valley, relative to the
@@ -53,8 +60,8 @@ inline void slip(const Mover &mover, const Held &s, const double v[3], const dou
 }
 
 /* The impulse that one contact of a ball needs where its surface has the velocity u without it, and
- * the work of friction. */
-inline void impulse(Held &s, const double u[3], double p[3]) {
+ * the work of friction. False: it is along n. */
+inline bool impulse(Held &s, const double u[3], double p[3]) {
   const double normal = aspi_dot(u, s.n), p_n = std::max(0.0, -normal);
   double along[3];
   aspi_add_scaled(u, -normal, s.n, along);
@@ -63,7 +70,7 @@ inline void impulse(Held &s, const double u[3], double p[3]) {
   aspi_scale(p_n, p);
   s.work = 0;
   if (!(square > 0))
-    return;
+    return false;
   const double most = (s.hold > 0 ? s.hold : s.friction) * p_n, stops = s.hold > 0 ? 1 : 2.0 / 7;
   if (stops * stops * square > most * most) {
     const double share = most / sqrt(square);
@@ -71,6 +78,7 @@ inline void impulse(Held &s, const double u[3], double p[3]) {
     aspi_add_scaled(p, -share, along, p);
   } else
     aspi_add_scaled(p, -stops, along, p);
+  return true;
 }
 
 /* ---- contacts one after another ---------------------------------------------------------------
@@ -211,9 +219,8 @@ bool solve(const Mover &mover, const HeldList &all, double v[3], double omega[3]
   return false;
 }
 
-/* A ball turns about the normal only where a valley holds it. */
-void stop_rolling(Held &s, double omega[3]) {
-  aspi_copy(NONE, s.turn);
+/* Where a valley holds a ball, that turns about the normal only. */
+inline void stop_rolling(Held &s, double omega[3]) {
   if (!(s.hold > 0) || !(aspi_dot(s.p, s.n) > 0))
     return;
   aspi_add_scaled(s.turn, -1, omega, s.turn);
@@ -231,45 +238,26 @@ double slide_work(const Mover &mover, const Held &s, const double v[3], const do
 
 } // namespace
 
-void Held::set(const Mover &mover, double slope) {
-  const BodySphere &one = mover.sphere[sphere];
-  aspi_copy(v_wall, w);
-  if (!mover.is_ball) {
-    mover.arm(sphere, arm);
-    if (!(slope > 0))
-      aspi_add_scaled(arm, -one.radius, n, arm);
-  }
-  friction = wall->setup.model.friction(one.type, wall->setup.shapes[shape].wall_type);
-  hold = slope;
-  aspi_copy(NONE, p);
-}
-
 bool asperity::solve_held(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
   if (mover.is_ball && all.count == 1) {
     Held &only = all.first[0];
     double u[3];
     slip(mover, only, v, omega, u);
-    impulse(only, u, only.p);
-    push(mover, only, only.p, v, omega);
+    aspi_copy(NONE, only.turn);
+    if (impulse(only, u, only.p)) {
+      turn_of(mover, only, only.p, only.turn);
+      aspi_add_scaled(omega, 1, only.turn, omega);
+    }
+    aspi_add_scaled(v, 1, only.p, v);
     stop_rolling(only, omega);
     return true;
   }
   const bool solved = solve(mover, all, v, omega);
   for (Held &s : all) {
+    turn_of(mover, s, s.p, s.turn);
     if (mover.is_ball)
       stop_rolling(s, omega);
     s.work = slide_work(mover, s, v, omega);
   }
   return solved;
-}
-
-void asperity::twist_of(const Mover &mover, const Held &s, double twist[3]) {
-  if (!mover.is_ball)
-    mover.twist(s.arm, s.p, twist);
-  else if (s.hold > 0)
-    aspi_copy(s.turn, twist);
-  else {
-    aspi_cross(s.n, s.p, twist);
-    aspi_scale(-2.5 / mover.sphere->radius, twist);
-  }
 }

@@ -24,6 +24,7 @@
 #include <stddef.h>
 #include <vector>
 
+#include "contact/vector.h"
 #include "dem/step/mover.h"
 
 namespace asperity {
@@ -37,12 +38,13 @@ struct Touch : Contact {
 
 /* A contact that lasts; n is its normal. */
 struct Held : Touch {
+  Rest *rest;    /* at the end of a step: what the mover remembers of it */
   double w[3];   /* velocity of the wall's point; its part along n is what the mover must keep */
   double arm[3]; /* of a body */
   double friction;
   double hold;      /* tangent of the slope that the valley withstands; 0: there is none */
   double p[3];      /* impulse per mass on the mover: where it begins, and the result */
-  double turn[3];   /* spin that the valley takes, as a change of omega */
+  double turn[3];   /* change of omega by the result */
   double work;      /* energy per mass that friction takes from the mover */
   double change[3]; /* of p, by the last sweep */
   double k[3][3];   /* of a body: row d is the velocity of the point by the impulse e_d there */
@@ -74,8 +76,18 @@ struct HeldList {
  * bring it there, shared equally. */
 bool solve_held(const Mover &mover, const HeldList &all, double v[3], double omega[3]);
 
-/* The change of the spin by a solved contact. */
-void twist_of(const Mover &mover, const Held &held, double twist[3]);
+inline void Held::set(const Mover &mover, double slope) {
+  const BodySphere &one = mover.sphere[sphere];
+  aspi_copy(v_wall, w);
+  if (!mover.is_ball) {
+    mover.arm(sphere, arm);
+    if (!(slope > 0))
+      aspi_add_scaled(arm, -one.radius, n, arm);
+  }
+  friction = wall->setup.model.friction(one.type, wall->setup.shapes[shape].wall_type);
+  hold = slope;
+  aspi_copy(NONE, p);
+}
 
 } // namespace asperity
 
