@@ -208,7 +208,6 @@ void Books::drop_load(int i, const double x[3], const double v[3], double mass, 
 
 void Books::add_load(size_t shape, const ContactLoad &load) {
   ShapeSums &sums = shapes_[shape];
-  double along[3];
   add_impulses(impulses_at(load.point, load.impulse));
   aspi_add_scaled(step_.turn, 1, load.couple, step_.turn);
   if (load.particle >= 0) {
@@ -219,6 +218,7 @@ void Books::add_load(size_t shape, const ContactLoad &load) {
     aspi_copy(load.point, of.point);
   }
   if (aspi_dot(load.n, load.n) > 0) {
+    double along[3];
     const double normal = -aspi_dot(load.impulse, load.n);
     aspi_add_scaled(load.impulse, normal, load.n, along);
     const double values[] = {normal, aspi_length(along), load.dissipated, load.eroded};

@@ -180,52 +180,51 @@ bool lifts_off(const AtEnd &now, const Held &at, const double v[3], const double
 /* Notes and counts what has held the mover. */
 void Resting::keep(const std::vector<Hold> &by, const AtEnd &now, const double v[3],
                    const double spin[3]) {
-  const Mover &mover = now.mover;
   const double rate = 1 / now.dt;
   aspi_copy(NONE, push);
   aspi_copy(NONE, twist);
-  for (size_t k = 0; k < count_; k++) {
-    const Held &at = held_[k];
-    Rest &rest = *at.rest;
-    if (lifts_off(now, at, v, spin)) {
+  for (const Held *at = held_.data(); at < held_.data() + count_; at++) {
+    Rest &rest = *at->rest;
+    if (lifts_off(now, *at, v, spin)) {
       drop(rest);
       continue;
     }
-    rest.face = at.face;
-    aspi_copy(at.p, rest.push);
+    rest.face = at->face;
+    aspi_copy(at->p, rest.push);
+    aspi_copy(at->turn, rest.twist);
     aspi_scale(rate, rest.push);
-    aspi_copy(at.turn, rest.twist);
     aspi_scale(rate, rest.twist);
     aspi_add_scaled(push, 1, rest.push, push);
     aspi_add_scaled(twist, 1, rest.twist, twist);
-    add_load(mover, now.x, at);
+    add_load(now.mover, now.x, *at);
   }
   for (const Hold &one : by) {
     aspi_copy(now.a, one.memory->free);
-    if (any_dropped_ && mover.at(*one.wall).drop_gone())
-      mover.members(*one.wall).ahead.expire(mover.i);
+    if (!any_dropped_ || !now.mover.at(*one.wall).drop_gone())
+      continue;
+    Population &of = now.mover.members(*one.wall);
+    of.ahead.expire(now.mover.i);
+    of.any_left = true;
   }
 }
 
 bool Resting::hold(const std::vector<Hold> &by, AtEnd &now) {
-  double before[3], turning[3], v[3], spin[3];
+  double v[3], spin[3];
   bool sticks = false;
   any_dropped_ = false;
   do {
-    aspi_add_scaled(now.v, 0.5 * now.dt, now.a, before);
-    aspi_add_scaled(now.spin, 0.5 * now.dt, now.alpha, turning);
-  } while (!find(by, now, before, turning, sticks) && !sticks);
+    aspi_add_scaled(now.v, 0.5 * now.dt, now.a, v);
+    aspi_add_scaled(now.spin, 0.5 * now.dt, now.alpha, spin);
+  } while (!find(by, now, v, spin, sticks) && !sticks);
   if (sticks)
     return true;
-  aspi_copy(before, v);
-  aspi_copy(turning, spin);
-  const bool solved = solve_held(now.mover, HeldList(held_.data(), count_), v, spin);
-  for (size_t k = 0; k < count_ && !solved; k++)
-    drop(*held_[k].rest);
-  if (!solved) /* walls that close: the next flight finds out */
+  if (!solve_held(now.mover, HeldList(held_.data(), count_), v, spin)) {
+    for (size_t k = 0; k < count_; k++) /* walls that close: the next flight finds out */
+      drop(*held_[k].rest);
     count_ = 0;
+    aspi_copy(v, now.v);
+  }
   keep(by, now, v, spin);
-  aspi_copy(solved ? now.v : v, now.v);
   aspi_add_scaled(now.v, 0.5 * now.dt, push, now.v);
   aspi_add_scaled(now.spin, 0.5 * now.dt, twist, now.spin);
   return false;
@@ -286,7 +285,7 @@ void asperity::note_energy(const Flight &flight) {
     rebound.shape = static_cast<double>(impact.shape);
     rebound.piece = impact.contact.piece;
     of.set_status(Status::REBOUNDED);
-    mover.members(*wall).touching.push_back(mover.i);
+    mover.members(*wall).rebounded.push_back(mover.i);
   }
 }
 
@@ -331,24 +330,28 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
   std::vector<Candidate> all;
   std::vector<Hold> by;
   size_t most = 0;
-  for (Stepper *wall : walls)
-    most += movers.members(*wall).touching.size();
+  bool any_stuck = false;
+  for (Stepper *wall : walls) {
+    most += movers.members(*wall).resting.size();
+    any_stuck = any_stuck || !movers.members(*wall).stuck.empty();
+  }
   all.reserve(most);
   for (size_t w = 0; w < walls.size(); w++) {
     const Population &of = movers.members(*walls[w]);
-    for (int i : of.touching)
-      if (of.rows.status(i) == Status::RESTING && !movers.is_stuck(walls, i))
+    for (int i : of.resting)
+      if (of.rows.status(i) == Status::RESTING && !(any_stuck && movers.is_stuck(walls, i)))
         all.push_back(Candidate{i, static_cast<int>(w)});
   }
   if (!std::is_sorted(all.begin(), all.end()))
     std::sort(all.begin(), all.end());
-  for (size_t k = 0; k < all.size();) {
-    const int i = all[k].i;
+  const Candidate *at = all.data(), *const end = at + all.size();
+  while (at < end) {
+    const int i = at->i;
     by.clear();
-    for (; k < all.size() && all[k].i == i; k++) {
-      Stepper *wall = walls[static_cast<size_t>(all[k].wall)];
+    do {
+      Stepper *wall = walls[static_cast<size_t>(at->wall)];
       by.push_back(Hold{wall, movers.members(*wall).rows.find(i)});
-    }
+    } while (++at < end && at->i == i);
     act(by, i);
   }
 }
@@ -358,7 +361,7 @@ static void end_movers(const Walls &walls, const Movers &movers) {
   for (Stepper *wall : walls) {
     const Population &of = movers.members(*wall);
     wall->hold_stuck(movers);
-    for (int i : of.touching)
+    for (int i : of.rebounded)
       if (of.rows.status(i) == Status::REBOUNDED)
         balance(*wall, movers, i);
   }

@@ -318,13 +318,6 @@ void Flight::follow_walls() {
       aspi_add_scaled(begin, aspi_dot(one.v_wall, one.n) - aspi_dot(begin, one.n), one.n, begin);
 }
 
-void asperity::add_load(const Mover &mover, const double x[3], const Held &held) {
-  ContactLoad load = mover.load(held.sphere, held.piece, held.x, held.n, x, held.p,
-                                held.hold > 0 ? held.turn : NULL);
-  load.dissipated = mover.mass * held.work;
-  held.wall->books.add_load(held.shape, load);
-}
-
 /* Ends the contacts of this place: the walls take their impulses, and remember that the mover rests
  * at them. */
 void Flight::settle() {
@@ -333,7 +326,7 @@ void Flight::settle() {
     aspi_add_scaled(settled, 1, one.p, settled);
     const WallMemory at = mover.at(*one.wall);
     if (at.status() != Status::RESTING)
-      mover.members(*one.wall).touching.push_back(mover.i);
+      mover.members(*one.wall).resting.push_back(mover.i);
     at.rest_at(mover.sphere[one.sphere].tag, one.shape, one.face);
   }
   sustained.clear();

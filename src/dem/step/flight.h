@@ -93,7 +93,12 @@ private:
 };
 
 /* Counts the load of a solved contact of a mover at x. */
-void add_load(const Mover &mover, const double x[3], const Held &held);
+inline void add_load(const Mover &mover, const double x[3], const Held &held) {
+  ContactLoad load = mover.load(held.sphere, held.piece, held.x, held.n, x, held.p,
+                                held.hold > 0 ? held.turn : NULL);
+  load.dissipated = mover.mass * held.work;
+  held.wall->books.add_load(held.shape, load);
+}
 
 /* search.cpp: the first contacts of the rest of the path. Where a body turns so far that its
  * spheres may be off straight paths, they are searched by wider spheres, and where those meet a

@@ -89,20 +89,13 @@ FacePlace &WallMemory::new_face() const {
 /* ---- what it is -------------------------------------------------------------------------------
  */
 
-Mover::Mover(const Movers &all, int which)
-    : i(which), body(NULL), is_ball(true), sphere(&own_), count(1) {
-  if (const Spheres *s = all.grains) {
-    mass = s->mass[i];
-    own_ = BodySphere{{0, 0, 0}, s->radius[i], s->type[i], s->mask[i], s->tag_of(i)};
-  } else {
-    body = &all.bodies->all[static_cast<size_t>(i)];
-    mass = body->mass;
-    sphere = &all.bodies->spheres[body->first];
-    count = body->count;
-    is_ball = is_round(*body, *sphere);
-    set_axes(body->axes);
-  }
-  radius_ = sphere->radius;
+void Mover::set_body(const Movers &all) {
+  body = &all.bodies->all[static_cast<size_t>(i)];
+  mass = body->mass;
+  sphere = &all.bodies->spheres[body->first];
+  count = body->count;
+  is_ball = is_round(*body, *sphere);
+  set_axes(body->axes);
 }
 
 size_t Mover::number_of(double tag) const {
@@ -260,27 +253,12 @@ asp_body Mover::core_body(const double at[3]) const {
   return made;
 }
 
-/* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
- * mover has lost. */
-ContactLoad Mover::load(size_t k, int piece, const double center[3], const double n[3],
-                        const double x[3], const double change[3], const double turned[3]) const {
+void Mover::add_couple(const double x[3], const double turned[3], ContactLoad &load) const {
   double lever[3], momentum[3];
-  ContactLoad made;
-  made.dissipated = made.eroded = made.couple[0] = made.couple[1] = made.couple[2] = 0;
-  made.particle = body ? -1 : i;
-  made.piece = piece;
-  made.mask = sphere[k].mask;
-  aspi_copy(n, made.n);
-  aspi_add_scaled(center, -sphere[k].radius, n, made.point);
-  aspi_copy(change, made.impulse);
-  aspi_scale(-mass, made.impulse);
-  if (!turned)
-    return made;
-  aspi_subtract(x, made.point, lever);
-  aspi_cross(lever, made.impulse, made.couple);
+  aspi_subtract(x, load.point, lever);
+  aspi_cross(lever, load.impulse, load.couple);
   momentum_of(turned, momentum);
-  aspi_add_scaled(made.couple, -mass, momentum, made.couple);
-  return made;
+  aspi_add_scaled(load.couple, -mass, momentum, load.couple);
 }
 
 void asperity::multiply(const double m[6], const double a[3], double out[3]) {

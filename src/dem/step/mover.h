@@ -177,9 +177,42 @@ public:
                    const double x[3], const double change[3], const double turned[3]) const;
 
 private:
+  void set_body(const Movers &all);
+  void add_couple(const double x[3], const double turned[3], ContactLoad &load) const;
+
   BodySphere own_; /* of a grain */
   double radius_;
 };
+
+inline Mover::Mover(const Movers &all, int which)
+    : i(which), body(NULL), is_ball(true), sphere(&own_), count(1) {
+  if (const Spheres *s = all.grains) {
+    mass = s->mass[i];
+    own_ = BodySphere{{0, 0, 0}, s->radius[i], s->type[i], s->mask[i], s->tag_of(i)};
+  } else
+    set_body(all);
+  radius_ = sphere->radius;
+}
+
+/* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the
+ * mover has lost. */
+inline ContactLoad Mover::load(size_t k, int piece, const double center[3], const double n[3],
+                               const double x[3], const double change[3],
+                               const double turned[3]) const {
+  ContactLoad made;
+  made.particle = body ? -1 : i;
+  made.piece = piece;
+  made.mask = sphere[k].mask;
+  aspi_copy(n, made.n);
+  aspi_add_scaled(center, -sphere[k].radius, n, made.point);
+  aspi_copy(change, made.impulse);
+  aspi_scale(-mass, made.impulse);
+  aspi_copy(NONE, made.couple);
+  made.dissipated = made.eroded = 0;
+  if (turned)
+    add_couple(x, turned, made);
+  return made;
+}
 
 inline void Movers::read(const Mover &mover, Instant &now) const {
   if (mover.body) {

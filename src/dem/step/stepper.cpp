@@ -15,26 +15,31 @@ Stepper::Stepper(const Setup &of, Books &its)
 
 void Population::list(const Spheres &s, int groupbit) {
   stuck.clear();
-  touching.clear();
+  resting.clear();
+  rebounded.clear();
+  any_left = false;
   for (int i = 0; i < s.n; i++)
     if (!(s.mask[i] & groupbit) || !rows.has_list(i))
       rows.forget(i);
     else if (rows.is_stuck(i))
       stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
-    else if (rows.status(i) != Status::FREE)
-      touching.push_back(i);
+    else if (rows.status(i) == Status::RESTING)
+      resting.push_back(i);
+    else if (rows.status(i) == Status::REBOUNDED)
+      rebounded.push_back(i);
   ahead.reorder(s);
 }
 
 void Population::begin_step() {
-  size_t kept = 0;
-  for (int i : touching) {
-    if (rows.status(i) == Status::RESTING)
-      touching[kept++] = i;
-    else if (!rows.is_stuck(i))
+  for (int i : rebounded)
+    if (rows.status(i) == Status::REBOUNDED)
       rows.set_status(i, Status::FREE);
-  }
-  touching.resize(kept);
+  rebounded.clear();
+  if (!any_left)
+    return;
+  const auto left = [this](int i) { return rows.status(i) != Status::RESTING; };
+  resting.erase(std::remove_if(resting.begin(), resting.end(), left), resting.end());
+  any_left = false;
 }
 
 void Population::begin_run(const Setup &setup, const Spheres &s) {

@@ -36,10 +36,11 @@ struct Population {
   Memories &rows;
   Ahead ahead;
   std::vector<StuckOne> stuck;
-  std::vector<int> touching; /* those that rest, or have rebounded in this step */
+  std::vector<int> resting, rebounded; /* rebounded: in this step */
+  bool any_left;                       /* one of `resting` does not rest any more */
 
   Population(const Setup &setup, Memories &its, bool are_bodies)
-      : rows(its), ahead(setup, its, are_bodies) {}
+      : rows(its), ahead(setup, its, are_bodies), any_left(false) {}
 
   /* Lists those of a group that are at the wall, after they have got other indices or groups. */
   void list(const Spheres &spheres, int groupbit);

@@ -41,6 +41,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   Place place;
   wall.setup.shapes[touch.shape].shape->stick(touch.before, touch, place);
   const bool deletes = wall.setup.model.deposit() == Model::DELETE;
+  of.any_left = true;
   of.rows.set_status(mover.i, deletes ? Status::TO_DELETE : Status::STUCK);
   wall.has_to_delete = wall.has_to_delete || deletes;
   of.stuck.push_back(StuckOne{mover.i, false, false, {}, {}, 0, {}});
@@ -248,10 +249,10 @@ void Stepper::let_go(const Movers &movers) {
     memory.draws++;
     drop_load(at, 0);
     of.rows.set_status(at.i, Status::FREE);
-    of.touching.push_back(at.i);
     if (was.shape >= 1) {
       const Mover mover(movers, at.i);
       const size_t shape = static_cast<size_t>(was.shape) - 1;
+      of.resting.push_back(at.i);
       mover.at(*this).rest_at(mover.sphere[mover.anchor(was)].tag, shape,
                               face_now(setup.shapes[shape], was));
     }

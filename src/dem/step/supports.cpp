@@ -149,7 +149,7 @@ inline void solve_one(const Mover &mover, Held &s, double v[3], double omega[3])
 /* Gauss-Seidel sweeps over the supports. The changes soon shrink by one factor from sweep to sweep:
  * every third sweep, the impulses jump by the sum of the remaining series (Aitken). False if an
  * approach is left. */
-bool sweep(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
+bool sweep(const Mover &mover, HeldList all, double v[3], double omega[3]) {
   const double converged = mover.is_ball ? CONVERGED : CONVERGED_OF_BODY;
   double first = 0, left = 0, speed = aspi_length(v), u[3];
   for (Held &s : all) {
@@ -190,7 +190,7 @@ bool sweep(const Mover &mover, const HeldList &all, double v[3], double omega[3]
   return !(left > (mover.is_ball ? DIVERGED : DIVERGED_OF_BODY) * first + TINY * speed);
 }
 
-bool solve(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
+bool solve(const Mover &mover, HeldList all, double v[3], double omega[3]) {
   double v_free[3], omega_free[3];
   for (Held &s : all)
     if (!mover.is_ball)
@@ -238,7 +238,7 @@ double slide_work(const Mover &mover, const Held &s, const double v[3], const do
 
 } // namespace
 
-bool asperity::solve_held(const Mover &mover, const HeldList &all, double v[3], double omega[3]) {
+bool asperity::solve_held(const Mover &mover, HeldList all, double v[3], double omega[3]) {
   if (mover.is_ball && all.count == 1) {
     Held &only = all.first[0];
     double u[3];

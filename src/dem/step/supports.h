@@ -74,7 +74,7 @@ struct HeldList {
 /* Changes v and omega of a mover. False where no velocity satisfies all contacts, as between walls
  * that close: then it moves with the mean of the walls' velocities, and the impulses are those that
  * bring it there, shared equally. */
-bool solve_held(const Mover &mover, const HeldList &all, double v[3], double omega[3]);
+bool solve_held(const Mover &mover, HeldList all, double v[3], double omega[3]);
 
 inline void Held::set(const Mover &mover, double slope) {
   const BodySphere &one = mover.sphere[sphere];
