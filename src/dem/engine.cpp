@@ -11,12 +11,6 @@
 
 using namespace asperity;
 
-void Box::bring_near(const double near[3], double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
-}
-
 void Box::wrap(double x[3]) const {
   for (int d = 0; d < 3; d++)
     if (period[d] > 0)

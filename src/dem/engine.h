@@ -4,6 +4,7 @@
 #ifndef ASPERITY_DEM_ENGINE_H
 #define ASPERITY_DEM_ENGINE_H
 
+#include <math.h>
 #include <mpi.h>
 #include <stdint.h>
 #include <string>
@@ -17,7 +18,11 @@ struct Box {
   double period[3]; /* length along each periodic axis, 0 along the others */
 
   /* Moves x by whole periods to where it is nearest to `near`. */
-  void bring_near(const double near[3], double x[3]) const;
+  void bring_near(const double near[3], double x[3]) const {
+    for (int d = 0; d < 3; d++)
+      if (period[d] > 0)
+        x[d] += period[d] * floor((near[d] - x[d]) / period[d] + 0.5);
+  }
 
   /* Moves x by whole periods into the box. */
   void wrap(double x[3]) const;

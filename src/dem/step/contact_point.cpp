@@ -56,17 +56,12 @@ asp_particle ContactPoint::particle(double lay[3]) {
   }
   lay[0] = lay[1] = 0;
   lay[2] = 1;
-  if (!has_lay())
+  if (!wall.has_lay)
     return particle;
   particle.lay = lay;
   if (setup.engine.dimension() == 3)
     member.shape->lay(setup.model.lay(), touch.before, touch, lay);
   return particle;
-}
-
-/* In two dimensions the tilt is in the plane also at normal impact. */
-bool ContactPoint::has_lay() const {
-  return wall.setup.engine.dimension() == 2 || wall.setup.model.lay().kind != ASP_LAY_NONE;
 }
 
 Impact ContactPoint::impact(double nth) const {

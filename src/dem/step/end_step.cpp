@@ -86,14 +86,16 @@ bool meet_face(AtEnd &now, Touch &touch, double &hold, bool &sticks) {
   Impact impact;
   touch.before =
       Path{{touch.x[0], touch.x[1], touch.x[2]}, {now.v[0], now.v[1], now.v[2]}, 0, now.dt, 0};
-  aspi_copy(touch.n, touch.n_end);
-  touch.time = touch.chord = touch.approach_speed = 0;
-  touch.overlapped = false;
   ContactPoint at(now.mover, moment, touch);
   at.press = touch.follow + touch.curve - aspi_dot(now.a, touch.n);
   at.find_face(true);
   hold = at.hold(true);
-  if (hold > 0 || !at.moved || !at.graze(impact))
+  if (hold > 0 || !at.moved)
+    return false;
+  aspi_copy(touch.n, touch.n_end);
+  touch.time = touch.chord = touch.approach_speed = 0;
+  touch.overlapped = false;
+  if (!at.graze(impact))
     return false;
   sticks = impact.result.outcome == ASP_DEPOSIT;
   if (sticks)

@@ -30,11 +30,14 @@
 
 using namespace asperity;
 
-/* How high an arc of a sine is over its bottom, over P h: at a share of the way from the crest
- * ahead to the one behind. */
+/* How high an arc of a sine is over its bottom, over P h: at the crest ahead, and at a share of the
+ * way from there to the crest behind. */
+static double crest(double steep) {
+  return sqrt(1 - steep * steep) - steep * acos(steep);
+}
 static double rise_at(double share, double steep) {
   const double bottom = asin(steep), at = ASP_PI - bottom - 2 * ASP_PI * share;
-  return 0.5 * (cos(bottom) - cos(at) - steep * (at - bottom));
+  return 0.5 * (sqrt(1 - steep * steep) - cos(at) - steep * (at - bottom));
 }
 
 /* True if a mover with this energy along the wall, per mass, cannot leave the valley behind its
@@ -60,15 +63,15 @@ static bool lies_in_valley(const std::vector<FacePlace> &faces, const FacePlace 
     return false;
   if (face.place > AT_BOTTOM)
     energy += push * (face.height * rise_at(face.place, steep) + face.rise);
-  return energy < push * face.height * rise_at(0, steep);
+  return energy < push * face.height * crest(steep);
 }
 
 /* stays: the sphere was at the wall in the step before, and may have passed the beginning of the
  * face since. */
 void ContactPoint::find_face(bool stays) {
-  const asp_wall *of = wall.setup.model.wall();
-  if (!of || !asp_wall_surface(of))
+  if (!wall.is_rough)
     return;
+  const asp_wall *of = wall.setup.model.wall();
   const double time = wall.setup.time(static_cast<double>(now.step)) - now.left;
   double lay[3], point[3], along[3], u[3], passed = 0;
   bool fell = false;
@@ -81,7 +84,7 @@ void ContactPoint::find_face(bool stays) {
     aspi_subtract(point, face->at, along);
     aspi_add_scaled(along, -aspi_dot(along, touch.n), touch.n, along);
     double length = face->length;
-    if (has_lay()) {
+    if (wall.has_lay) {
       const asp_particle here = particle(lay);
       length = asp_wall_face_length(of, &here, along, touch.n);
     }

@@ -109,7 +109,7 @@ bool find_next(const std::vector<Stepper *> &walls, Flight &flight, std::vector<
 /* A contact, and the face of the rough wall there. */
 struct ContactPoint {
   const Mover &mover;
-  const Moment now;
+  const Moment &now;
   Touch &touch;
   Stepper &wall;
   const BodySphere &one;
@@ -127,7 +127,6 @@ struct ContactPoint {
   double approach() const;
   /* The sphere as it is here. lay: room for the wall's lay, if it has one. */
   asp_particle particle(double lay[3]);
-  bool has_lay() const;
 
   /* An impact here without its result, the `nth` from now on. finish: with the result, its load is
    * known, and it is the mover's next one. */

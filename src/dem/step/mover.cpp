@@ -208,23 +208,10 @@ void Mover::momentum_of(const double spin[3], double momentum[3]) const {
     aspi_add_scaled(momentum, body->inertia[k] / mass * aspi_dot(spin, axes[k]), axes[k], momentum);
 }
 
-double Mover::energy(const double v[3], const double spin[3]) const {
-  if (is_ball)
-    return 0.5 * aspi_dot(v, v) + 0.2 * radius_ * radius_ * aspi_dot(spin, spin);
+double Mover::body_energy(const double v[3], const double spin[3]) const {
   double momentum[3];
   momentum_of(spin, momentum);
   return 0.5 * (aspi_dot(v, v) + aspi_dot(spin, momentum));
-}
-
-double Mover::energy_along(const double n[3], const double v[3], const double spin[3]) const {
-  double u[3], turning[3];
-  if (is_ball) {
-    const double v_n = aspi_dot(v, n), w_n = radius_ * aspi_dot(spin, n);
-    return energy(v, spin) - 0.5 * v_n * v_n - 0.2 * w_n * w_n;
-  }
-  aspi_add_scaled(v, -aspi_dot(v, n), n, u);
-  aspi_add_scaled(spin, -aspi_dot(spin, n), n, turning);
-  return energy(u, turning);
 }
 
 void Mover::twist(const double at[3], const double impulse[3], double spin[3]) const {

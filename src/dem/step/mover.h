@@ -178,6 +178,7 @@ public:
 
 private:
   void set_body(const Movers &all);
+  double body_energy(const double v[3], const double spin[3]) const;
   void add_couple(const double x[3], const double turned[3], ContactLoad &load) const;
 
   BodySphere own_; /* of a grain */
@@ -192,6 +193,19 @@ inline Mover::Mover(const Movers &all, int which)
   } else
     set_body(all);
   radius_ = sphere->radius;
+}
+
+inline double Mover::energy(const double v[3], const double spin[3]) const {
+  return is_ball ? 0.5 * aspi_dot(v, v) + 0.2 * radius_ * radius_ * aspi_dot(spin, spin)
+                 : body_energy(v, spin);
+}
+
+inline double Mover::energy_along(const double n[3], const double v[3],
+                                  const double spin[3]) const {
+  double u[3], turning[3];
+  aspi_add_scaled(v, -aspi_dot(v, n), n, u);
+  aspi_add_scaled(spin, -aspi_dot(spin, n), n, turning);
+  return energy(u, turning);
 }
 
 /* The faces that were hit are tilted, and a law may leave the spin alone: the wall gets what the

@@ -146,11 +146,12 @@ static bool hit_alone(ContactPoint &at, const asp_key &key, double &restitution)
  * else -1. */
 static int hit_together(Flight &flight, std::vector<Touch> &touches, const double v[3]) {
   const Mover &mover = flight.mover;
+  const Moment now = flight.moment(v);
   std::vector<Impact> hits;
   std::vector<Held> points;
   double e = 0, after[3], spin[3];
   for (size_t k = 0; k < touches.size(); k++) {
-    ContactPoint at(mover, flight.moment(v), touches[k]);
+    ContactPoint at(mover, now, touches[k]);
     double restitution, nth = 1;
     for (const Impact &other : hits)
       nth += other.wall == touches[k].wall;
@@ -248,6 +249,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
     slid = slides(flight, touch) && slid;
   if (slid)
     return -1;
+  const Moment now = flight.moment(v);
   std::vector<Touch> arriving;
   std::vector<size_t> number;
   bool smooth = true;
@@ -257,7 +259,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
         touch.overlapped && overlap(touch) > OVERLAP * mover.sphere[touch.sphere].radius;
     if (touches.size() == 1)
       break;
-    ContactPoint at(mover, flight.moment(v), touch);
+    ContactPoint at(mover, now, touch);
     bool arrives;
     if (!all_stay && !is_sustained(flight, at, arrives)) {
       arriving.push_back(touch);
@@ -272,7 +274,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
   std::vector<double> holds;
   for (Touch &touch : touches) {
     const int k = static_cast<int>(holds.size());
-    ContactPoint at(mover, flight.moment(v), touch);
+    ContactPoint at(mover, now, touch);
     bool arrives;
     const bool stays = is_sustained(flight, at, arrives) || all_stay;
     at.find_face(stays);
