@@ -64,8 +64,10 @@ double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3],
 /* The unit normal by the right-hand rule; zero for a degenerate triangle. */
 void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]);
 
-/* True if the foot of x on the triangle's plane is on the triangle; fills its normal then. */
-bool aspi_triangle_is_under(const ContactTriangle *triangle, const double x[3], double normal[3]);
+/* True if the foot of x on the triangle's plane is on the triangle. Fills its normal, and the
+ * height of x over the plane on that side. */
+bool aspi_triangle_is_under(const ContactTriangle *triangle, const double x[3], double normal[3],
+                            double *height);
 double aspi_triangle_area(const ContactTriangle *triangle);
 
 bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,

@@ -24,63 +24,70 @@ static double nearest_on_edge(const double a[3], const double b[3], const double
   return aspi_length(arm);
 }
 
-/* The normal, and its length, which is not 1; false where the triangle is degenerate. */
-static bool face_normal(const ContactTriangle *triangle, double normal[3], double *length) {
-  double ab[3], ac[3], bc[3];
-  aspi_subtract(triangle->node[1], triangle->node[0], ab);
-  aspi_subtract(triangle->node[2], triangle->node[0], ac);
-  aspi_subtract(triangle->node[2], triangle->node[1], bc);
-  aspi_cross(ab, ac, normal);
-  const double b = aspi_dot(ab, ab), c = aspi_dot(ac, ac), d = aspi_dot(bc, bc);
+/* What a triangle is for points near it: its edges from node 0, and its unit normal, which is 0
+ * where the triangle is degenerate. */
+typedef struct Face {
+  double ab[3], ac[3], normal[3];
+  double twice; /* its area */
+  bool is_flat;
+} Face;
+
+static inline void make_face(const ContactTriangle *triangle, Face *face) {
+  aspi_subtract(triangle->node[1], triangle->node[0], face->ab);
+  aspi_subtract(triangle->node[2], triangle->node[0], face->ac);
+  aspi_cross(face->ab, face->ac, face->normal);
+  const double b = aspi_dot(face->ab, face->ab), c = aspi_dot(face->ac, face->ac);
+  const double d = b + c - 2 * aspi_dot(face->ab, face->ac);
   const double longest = b > c ? b : c; /* fmax would be a call */
-  *length = aspi_length(normal);
-  return *length > SUM_ROUNDING * (longest > d ? longest : d);
+  face->twice = aspi_length(face->normal);
+  face->is_flat = face->twice > SUM_ROUNDING * (longest > d ? longest : d);
+  aspi_scale(face->is_flat ? 1 / face->twice : 0, face->normal);
 }
 
-/* True if the foot of x on the triangle's plane lies inside all three edges. */
-static bool above_face(const ContactTriangle *triangle, const double normal[3], const double x[3]) {
-  for (int k = 0; k < 3; k++) {
-    double edge[3], inward[3], arm[3];
-    aspi_subtract(triangle->node[(k + 1) % 3], triangle->node[k], edge);
-    aspi_cross(normal, edge, inward);
-    aspi_subtract(x, triangle->node[k], arm);
-    if (aspi_dot(arm, inward) < 0)
-      return false;
-  }
-  return true;
+/* True if the foot of a point on the triangle's plane lies inside all three edges. arm: of the
+ * point from node 0. */
+static inline bool above_face(const Face *face, const double arm[3]) {
+  double side[3];
+  if (!face->is_flat)
+    return false;
+  aspi_cross(face->ab, arm, side);
+  const double c = aspi_dot(face->normal, side);
+  aspi_cross(arm, face->ac, side);
+  const double b = aspi_dot(face->normal, side);
+  return b >= 0 && c >= 0 && b + c <= face->twice;
 }
 
 void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {
-  double length;
-  const bool flat = face_normal(triangle, normal, &length);
-  aspi_scale(flat ? 1 / length : 0, normal);
+  Face face;
+  make_face(triangle, &face);
+  aspi_copy(face.normal, normal);
 }
 
-bool aspi_triangle_is_under(const ContactTriangle *triangle, const double x[3], double normal[3]) {
-  double length;
-  if (!face_normal(triangle, normal, &length) || !above_face(triangle, normal, x))
-    return false;
-  aspi_scale(1 / length, normal);
-  return true;
+bool aspi_triangle_is_under(const ContactTriangle *triangle, const double x[3], double normal[3],
+                            double *height) {
+  Face face;
+  double arm[3];
+  make_face(triangle, &face);
+  aspi_subtract(x, triangle->node[0], arm);
+  aspi_copy(face.normal, normal);
+  *height = aspi_dot(arm, normal);
+  return above_face(&face, arm);
 }
 
 double aspi_triangle_area(const ContactTriangle *triangle) {
-  double normal[3], length;
-  face_normal(triangle, normal, &length);
-  return 0.5 * length;
+  Face face;
+  make_face(triangle, &face);
+  return 0.5 * face.twice;
 }
 
-/* The point of the triangle that is nearest to x, and its distance. normal: from face_normal(),
- * with its result and its length. */
-static double nearest_point(const ContactTriangle *triangle, const double normal[3], bool flat,
-                            double length, const double x[3], double nearest[3]) {
-  if (flat && above_face(triangle, normal, x)) {
-    double arm[3], unit[3];
-    aspi_copy(normal, unit);
-    aspi_scale(1 / length, unit);
-    aspi_subtract(x, triangle->node[0], arm);
-    const double height = aspi_dot(arm, unit);
-    aspi_add_scaled(x, -height, unit, nearest);
+/* The point of the triangle that is nearest to x, and its distance. */
+static double nearest_point(const ContactTriangle *triangle, const Face *face, const double x[3],
+                            double nearest[3]) {
+  double arm[3];
+  aspi_subtract(x, triangle->node[0], arm);
+  if (above_face(face, arm)) {
+    const double height = aspi_dot(arm, face->normal);
+    aspi_add_scaled(x, -height, face->normal, nearest);
     return fabs(height);
   }
   double least = INFINITY;
@@ -98,9 +105,9 @@ static double nearest_point(const ContactTriangle *triangle, const double normal
 
 double aspi_triangle_nearest(const ContactTriangle *triangle, const double x[3],
                              double nearest[3]) {
-  double normal[3], length;
-  const bool flat = face_normal(triangle, normal, &length);
-  return nearest_point(triangle, normal, flat, length, x, nearest);
+  Face face;
+  make_face(triangle, &face);
+  return nearest_point(triangle, &face, x, nearest);
 }
 
 /* The time at which a path comes within the sphere's radius of the triangle's plane: a lower bound
@@ -118,7 +125,7 @@ static double time_to_plane(const double normal[3], const ContactTriangle *trian
 
 /* The normal from the triangle to the center. For a center on the triangle it is the side
  * that it comes from. */
-static void normal_at(const ContactTriangle *triangle, const ContactPath *path, double radius,
+static void normal_at(const double normal[3], const ContactPath *path, double radius,
                       const double arm[3], double distance, ContactTouch *touch) {
   if (distance > 1e-12 * radius) {
     aspi_copy(arm, touch->n);
@@ -126,7 +133,7 @@ static void normal_at(const ContactTriangle *triangle, const ContactPath *path, 
     return;
   }
   touch->overlapped = true;
-  aspi_triangle_normal(triangle, touch->n);
+  aspi_copy(normal, touch->n);
   const double along = aspi_dot(path->v, touch->n);
   if (along > 0)
     aspi_scale(-1, touch->n);
@@ -141,20 +148,19 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
   const double speed = aspi_length(path->v);
   if (!(speed > 0))
     return false;
-  double across[3], normal[3], x[3], nearest[3], arm[3], length;
-  const bool flat = face_normal(triangle, across, &length);
-  aspi_copy(across, normal);
-  aspi_scale(flat ? 1 / length : 0, normal);
-  double time = time_to_plane(normal, triangle, path, radius);
+  double x[3], nearest[3], arm[3];
+  Face face;
+  make_face(triangle, &face);
+  double time = time_to_plane(face.normal, triangle, path, radius);
   touch->overlapped = false;
   touch->overlap = 0;
   for (int i = 0; i < NEWTON_MAX; i++) {
     if (!(time <= latest))
       return false;
     aspi_add_scaled(path->x, time, path->v, x);
-    const double distance = nearest_point(triangle, across, flat, length, x, nearest);
+    const double distance = nearest_point(triangle, &face, x, nearest);
     aspi_subtract(x, nearest, arm);
-    normal_at(triangle, path, radius, arm, distance, touch);
+    normal_at(face.normal, path, radius, arm, distance, touch);
     const double gap = distance - radius, approach = -aspi_dot(path->v, touch->n);
     if (!(approach > APPROACH * speed))
       return false;
@@ -168,7 +174,7 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
     time = fmax(0, time + gap / approach);
   }
   touch->time = time;
-  aspi_cross(touch->n, normal, arm);
+  aspi_cross(touch->n, face.normal, arm);
   touch->edge_sine = aspi_length(arm);
   return time <= latest;
 }

@@ -249,40 +249,34 @@ void MeshShape::set_contact(const Path &path, const ContactPath &local, const Sh
  * number is the complement of the triangle's, counts as itself. */
 bool MeshShape::under(int face, const double x[3], const double v[3], double reach,
                       Contact &contact, double &distance) const {
-  const double still[3] = {0, 0, 0};
-  for (const Shift &shift : images(Bounds::of_path(x, still, 0, 0, 2 * reach))) {
-    double at[3], foot[3], arm[3], normal[3], other[3];
+  const ContactTree *tree = tree_.get();
+  for (const Shift &shift : images_at(x, 2 * reach)) {
+    double at[3], foot[3], normal[3], other[3], height;
     aspi_subtract(x, shift.by, at);
     if (!motion_.in_world())
       motion_.end().to_local(at, at);
-    int place = aspi_tree_place(tree_.get(), face < 0 ? ~face : face);
+    int place = aspi_tree_place(tree, face < 0 ? ~face : face);
     if (place < 0)
       continue;
-    const ContactTree *tree = tree_.get();
     contact.face = face;
     if (face < 0) {
-      distance = aspi_triangle_nearest(aspi_tree_triangle(tree, place), at, foot);
+      height = aspi_triangle_nearest(aspi_tree_triangle(tree, place), at, foot);
       aspi_subtract(at, foot, normal);
-    } else {
-      const ContactTriangle *triangle = aspi_tree_triangle(tree, place);
-      if (!aspi_triangle_is_under(triangle, at, normal)) {
-        aspi_triangle_normal(triangle, other);
-        aspi_tree_distance(tree, at, reach, &place);
-        if (place < 0 || !aspi_triangle_is_under(aspi_tree_triangle(tree, place), at, normal) ||
-            fabs(aspi_dot(normal, other)) < 1 - ROUNDING)
-          continue;
-        triangle = aspi_tree_triangle(tree, place);
-        contact.face = aspi_tree_id(tree, place);
-      }
-      aspi_subtract(at, triangle->node[0], arm);
-      const double height = aspi_dot(arm, normal);
-      distance = fabs(height);
-      aspi_add_scaled(at, -height, normal, foot);
-      aspi_scale(height, normal);
+      aspi_scale(height > 0 ? 1 / height : 0, normal);
+    } else if (!aspi_triangle_is_under(aspi_tree_triangle(tree, place), at, normal, &height)) {
+      aspi_copy(normal, other);
+      aspi_tree_distance(tree, at, reach, &place);
+      if (place < 0 ||
+          !aspi_triangle_is_under(aspi_tree_triangle(tree, place), at, normal, &height) ||
+          fabs(aspi_dot(normal, other)) < 1 - ROUNDING)
+        continue;
+      contact.face = aspi_tree_id(tree, place);
     }
+    distance = fabs(height);
     if (!(distance <= reach && distance > 0))
       continue;
-    aspi_scale(1 / distance, normal);
+    aspi_scale(height < 0 ? -1 : 1, normal);
+    aspi_add_scaled(at, -distance, normal, foot);
     if (motion_.in_world()) {
       aspi_copy(normal, contact.n);
       if (runs())

@@ -107,6 +107,7 @@ private:
   struct Shift {
     double by[3];
   };
+  static const std::vector<Shift> ITSELF;
   /* Tree indices: the triangle that gets the load, and the one that gives the normal. */
   struct Places {
     int piece, face;
@@ -128,6 +129,7 @@ private:
   double period_of(const Path &path) const;
   Bounds around(const Path &path, double from, double to, double radius) const;
   const std::vector<Shift> &images(const Bounds &region) const;
+  const std::vector<Shift> &images_at(const double x[3], double reach) const;
   const std::vector<Shift> &images_ahead(const Course &course, double &steps) const;
   void local_path(const Path &path, const Shift &shift, ContactPath &local) const;
   void put_tree(ContactTree *tree);

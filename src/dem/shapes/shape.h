@@ -26,18 +26,18 @@ struct Path {
 
 /* The first contact of a path with a shape. */
 struct Contact {
-  double time;      /* since the beginning of the path */
-  double x[3];      /* of the center then, moved out of the wall where it overlapped */
-  double n[3];      /* outward unit normal, from the wall to the center */
-  double n_end[3];  /* what it has become at the end of the path, as the wall turns */
-  double v_wall[3]; /* of the point that is touched */
-  double follow;    /* acceleration along n that keeps the center at the moving wall */
-  double curve;     /* the same due to the wall's curvature, as the center moves along it */
-  double chord;     /* mean speed along n, by that, on a chord to the end of the path */
+  double time;           /* since the beginning of the path */
+  double x[3];           /* of the center then, moved out of the wall where it overlapped */
+  double n[3];           /* outward unit normal, from the wall to the center */
+  double n_end[3];       /* what it has become at the end of the path, as the wall turns */
+  double v_wall[3];      /* of the point that is touched */
+  double follow;         /* acceleration along n that keeps the center at the moving wall */
+  double curve;          /* the same due to the wall's curvature, as the center moves along it */
+  double chord;          /* mean speed along n, by that, on a chord to the end of the path */
   double approach_speed; /* mean speed along -n over the rest of the path as it was searched */
-  int piece;        /* number of the triangle; 0 for a shape of one piece */
-  int face;         /* the piece, or where a shape of one piece has several faces, which of them */
-  bool overlapped;  /* the particle was in the wall already */
+  int piece;             /* number of the triangle; 0 for a shape of one piece */
+  int face;        /* the piece, or where a shape of one piece has several faces, which of them */
+  bool overlapped; /* the particle was in the wall already */
 };
 
 /* The mean speed across a circle's tangent on a chord of it, from the acceleration v^2/rho of a

@@ -339,13 +339,15 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
   }
   all.reserve(most);
   for (size_t w = 0; w < walls.size(); w++) {
-    const Population &of = movers.members(*walls[w]);
+    Population &of = movers.members(*walls[w]);
+    const auto first = static_cast<std::ptrdiff_t>(all.size());
+    if (!std::is_sorted(of.resting.begin(), of.resting.end()))
+      std::sort(of.resting.begin(), of.resting.end());
     for (int i : of.resting)
       if (of.rows.status(i) == Status::RESTING && !(any_stuck && movers.is_stuck(walls, i)))
         all.push_back(Candidate{i, static_cast<int>(w)});
+    std::inplace_merge(all.begin(), all.begin() + first, all.end());
   }
-  if (!std::is_sorted(all.begin(), all.end()))
-    std::sort(all.begin(), all.end());
   const Candidate *at = all.data(), *const end = at + all.size();
   while (at < end) {
     const int i = at->i;
