@@ -54,7 +54,8 @@ static inline bool above_face(const Face *face, const double arm[3]) {
   const double c = aspi_dot(face->normal, side);
   aspi_cross(arm, face->ac, side);
   const double b = aspi_dot(face->normal, side);
-  return b >= 0 && c >= 0 && b + c <= face->twice;
+  const double rounding = SUM_ROUNDING * face->twice;
+  return b >= -rounding && c >= -rounding && b + c <= face->twice + rounding;
 }
 
 void aspi_triangle_normal(const ContactTriangle *triangle, double normal[3]) {

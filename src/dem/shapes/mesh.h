@@ -129,7 +129,11 @@ private:
   double period_of(const Path &path) const;
   Bounds around(const Path &path, double from, double to, double radius) const;
   const std::vector<Shift> &images(const Bounds &region) const;
-  const std::vector<Shift> &images_at(const double x[3], double reach) const;
+  const std::vector<Shift> &images_at(const double x[3], double reach) const {
+    const double still[3] = {0, 0, 0};
+    return period_[0] + period_[1] + period_[2] > 0 ? images(Bounds::of_path(x, still, 0, 0, reach))
+                                                    : ITSELF;
+  }
   const std::vector<Shift> &images_ahead(const Course &course, double &steps) const;
   void local_path(const Path &path, const Shift &shift, ContactPath &local) const;
   void put_tree(ContactTree *tree);

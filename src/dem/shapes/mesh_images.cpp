@@ -77,14 +77,6 @@ Bounds MeshShape::around(const Path &path, double from, double to, double radius
 
 const std::vector<MeshShape::Shift> MeshShape::ITSELF(1, MeshShape::Shift{{0, 0, 0}});
 
-/* Those near a point. */
-const std::vector<MeshShape::Shift> &MeshShape::images_at(const double x[3], double reach) const {
-  const double still[3] = {0, 0, 0};
-  if (!(period_[0] + period_[1] + period_[2] > 0))
-    return ITSELF;
-  return images(Bounds::of_path(x, still, 0, 0, reach));
-}
-
 /* The images whose boxes meet a region. Valid up to the next call. */
 const std::vector<MeshShape::Shift> &MeshShape::images(const Bounds &region) const {
   shifts_.assign(1, Shift{{0, 0, 0}});

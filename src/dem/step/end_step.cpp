@@ -341,8 +341,9 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
   for (size_t w = 0; w < walls.size(); w++) {
     Population &of = movers.members(*walls[w]);
     const auto first = static_cast<std::ptrdiff_t>(all.size());
-    if (!std::is_sorted(of.resting.begin(), of.resting.end()))
-      std::sort(of.resting.begin(), of.resting.end());
+    const auto new_ones = std::is_sorted_until(of.resting.begin(), of.resting.end());
+    std::sort(new_ones, of.resting.end());
+    std::inplace_merge(of.resting.begin(), new_ones, of.resting.end());
     for (int i : of.resting)
       if (of.rows.status(i) == Status::RESTING && !(any_stuck && movers.is_stuck(walls, i)))
         all.push_back(Candidate{i, static_cast<int>(w)});
