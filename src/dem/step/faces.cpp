@@ -63,7 +63,8 @@ static bool lies_in_valley(const std::vector<FacePlace> &faces, const FacePlace 
     return false;
   if (face.place > AT_BOTTOM)
     energy += push * (face.height * rise_at(face.place, steep) + face.rise);
-  return energy < push * face.height * crest(steep);
+  const double most = push * face.height; /* the crest is convex: its tangent at 0 is lower */
+  return energy < most * (1 - 0.5 * ASP_PI * steep) || energy < most * crest(steep);
 }
 
 /* stays: the sphere was at the wall in the step before, and may have passed the beginning of the

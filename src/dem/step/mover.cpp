@@ -201,10 +201,9 @@ void Mover::spin_of(const double momentum[3], double spin[3]) const {
     multiply(inverse, momentum, spin);
 }
 
-void Mover::momentum_of(const double spin[3], double momentum[3]) const {
-  aspi_copy(spin, momentum);
-  aspi_scale(is_ball ? 0.4 * radius_ * radius_ : 0, momentum);
-  for (int k = 0; k < 3 && !is_ball; k++)
+void Mover::body_momentum(const double spin[3], double momentum[3]) const {
+  aspi_copy(NONE, momentum);
+  for (int k = 0; k < 3; k++)
     aspi_add_scaled(momentum, body->inertia[k] / mass * aspi_dot(spin, axes[k]), axes[k], momentum);
 }
 
@@ -238,14 +237,6 @@ asp_body Mover::core_body(const double at[3]) const {
   for (int j = 0; j < 6; j++)
     made.inverse_inertia[j] = inverse[j] / mass;
   return made;
-}
-
-void Mover::add_couple(const double x[3], const double turned[3], ContactLoad &load) const {
-  double lever[3], momentum[3];
-  aspi_subtract(x, load.point, lever);
-  aspi_cross(lever, load.impulse, load.couple);
-  momentum_of(turned, momentum);
-  aspi_add_scaled(load.couple, -mass, momentum, load.couple);
 }
 
 void asperity::multiply(const double m[6], const double a[3], double out[3]) {

@@ -179,7 +179,7 @@ public:
 private:
   void set_body(const Movers &all);
   double body_energy(const double v[3], const double spin[3]) const;
-  void add_couple(const double x[3], const double turned[3], ContactLoad &load) const;
+  void body_momentum(const double spin[3], double momentum[3]) const;
 
   BodySphere own_; /* of a grain */
   double radius_;
@@ -193,6 +193,15 @@ inline Mover::Mover(const Movers &all, int which)
   } else
     set_body(all);
   radius_ = sphere->radius;
+}
+
+inline void Mover::momentum_of(const double spin[3], double momentum[3]) const {
+  if (!is_ball) {
+    body_momentum(spin, momentum);
+    return;
+  }
+  aspi_copy(spin, momentum);
+  aspi_scale(0.4 * radius_ * radius_, momentum);
 }
 
 inline double Mover::energy(const double v[3], const double spin[3]) const {
@@ -223,8 +232,13 @@ inline ContactLoad Mover::load(size_t k, int piece, const double center[3], cons
   aspi_scale(-mass, made.impulse);
   aspi_copy(NONE, made.couple);
   made.dissipated = made.eroded = 0;
-  if (turned)
-    add_couple(x, turned, made);
+  if (!turned)
+    return made;
+  double lever[3], momentum[3];
+  aspi_subtract(x, made.point, lever);
+  aspi_cross(lever, made.impulse, made.couple);
+  momentum_of(turned, momentum);
+  aspi_add_scaled(made.couple, -mass, momentum, made.couple);
   return made;
 }
 
