@@ -30,8 +30,8 @@ static const double ONE_PLACE = 1e-7;
  * those triangles have. At that angle a contact is known to ONE_PLACE / GRAZING of a radius. */
 static const double GRAZING = 1e-6;
 
-/* GRAZING of a mover that stays at a wall. An overlap of TOUCHING puts it at the edges of coplanar
- * faces ahead, whose normals are off by sqrt(2 TOUCHING) there. */
+/* GRAZING for resting movers. With an overlap of TOUCHING a sphere touches edges of coplanar faces
+ * ahead; their normals tilt by sqrt(2 TOUCHING). */
 static const double ON_EDGES = 1.5e-5;
 
 /* Spheres of a body meet walls at one instant, and particles keep their distance to belts, to

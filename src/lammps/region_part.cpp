@@ -230,7 +230,7 @@ void RegionPart::add_feet(const double x[3], double reach, std::vector<RegionFoo
     if (inside && c.radius < 0)
       foot.hollow = -c.radius / (strcmp(region_->style, "sphere") == 0 ? 1 : 2);
     foot.inside = inside;
-    foot.behind = !(foot.hollow > 0) && (inside || !region_->openflag);
+    foot.convex = !(foot.hollow > 0) && (inside || !region_->openflag);
     foot.part = number_;
     foot.face = FACES * number_ + c.iwall;
     feet.push_back(foot);

@@ -19,8 +19,8 @@ struct RegionFoot {
   double distance, n[3]; /* unit, from the face to the point */
   double hollow;         /* radius of a face that is hollow toward the point; 0 for others */
   bool inside;           /* seen from inside of the part */
-  bool behind;           /* all of the face is behind the plane across the foot */
-  bool across;           /* seen from the side from which it is not touched */
+  bool convex;           /* the face lies entirely behind its tangent plane */
+  bool wrong_side;       /* the face does not act on this side */
   bool hidden;           /* within another part */
   int part, face;
 };

@@ -138,7 +138,7 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
   const Foot *deepest = NULL;
   for (const Foot &foot : l.feet) {
     bool counts;
-    if (!l.in_room || foot.hidden || foot.across || !(foot.distance > 0) ||
+    if (!l.in_room || foot.hidden || foot.wrong_side || !(foot.distance > 0) ||
         foot.distance - radius > near(l, foot) || (deepest && foot.distance >= deepest->distance))
       continue;
     approach(l, foot, counts);
@@ -153,7 +153,7 @@ const RegionShape::Foot *RegionShape::Search::touched(const Look &l) const {
 double RegionShape::Search::reached(const Look &l, const Foot &foot) const {
   bool counts;
   const double speed = approach(l, foot, counts);
-  const double gap = std::max(0.0, foot.distance - (foot.across ? 0 : radius));
+  const double gap = std::max(0.0, foot.distance - (foot.wrong_side ? 0 : radius));
   const double straight = counts ? gap / speed : HUGE_VAL;
   const double bend = 2 * shape.parts_[foot.part].turn_speed() * fastest;
   const double from_axis = foot.hollow - foot.distance;
@@ -165,7 +165,7 @@ double RegionShape::Search::reached(const Look &l, const Foot &foot) const {
     sure = speed > 0 ? std::max(0.0, beyond) / (rate + root) : (root - rate) / square;
     if (!(bend > 0))
       return sure;
-  } else if (foot.behind) {
+  } else if (foot.convex) {
     if (!(bend > 0))
       return straight;
     const double root = sqrt(speed * speed + 2 * bend * gap);

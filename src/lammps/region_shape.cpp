@@ -226,7 +226,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
     const size_t first = feet.size();
     parts_[node.part].add_feet(x, reach, feet);
     for (size_t k = first; k < feet.size(); k++)
-      feet[k].across = !node.region->openflag && feet[k].inside == outside;
+      feet[k].wrong_side = !node.region->openflag && feet[k].inside == outside;
     return;
   }
   for (size_t i = 0; i < node.of.size(); i++) {
@@ -234,7 +234,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
     find_feet(node.of[i], outside, x, reach, feet);
     for (size_t k = first; k < feet.size(); k++) {
       double point[3];
-      if (feet[k].hidden || feet[k].across)
+      if (feet[k].hidden || feet[k].wrong_side)
         continue;
       aspi_add_scaled(x, -(1 + (joins ? BEYOND : -BEYOND)) * feet[k].distance, feet[k].n, point);
       for (size_t j = 0; j < node.of.size() && !feet[k].hidden; j++)
@@ -260,7 +260,7 @@ double RegionShape::clear(const Course &course, const FaceList &stays) const {
       if (stays.has(foot.face))
         continue;
       const double gap = foot.distance - wide;
-      const double closing = course.widen + (foot.behind ? -aspi_dot(course.v, foot.n) : speed);
+      const double closing = course.widen + (foot.convex ? -aspi_dot(course.v, foot.n) : speed);
       if (!(gap > 0))
         return 0;
       if (closing * steps > gap)
@@ -298,7 +298,7 @@ bool RegionShape::under(int face, const double x[3], const double v[3], double r
   feet.clear();
   find_feet(root_, false, x, reach, feet);
   for (const Foot &foot : feet) {
-    if (foot.face != face || foot.hidden || foot.across)
+    if (foot.face != face || foot.hidden || foot.wrong_side)
       continue;
     double point[3], u[3];
     const RegionPart &part = parts_[foot.part];
@@ -334,7 +334,7 @@ void RegionShape::stick(const Path &path, const Contact &contact, Place &place) 
   place.piece = 0;
   double nearest = HUGE_VAL;
   for (const Foot &foot : feet)
-    if (!foot.hidden && !foot.across && foot.distance < nearest &&
+    if (!foot.hidden && !foot.wrong_side && foot.distance < nearest &&
         aspi_dot(foot.n, contact.n) > 1 - SAME) {
       nearest = foot.distance;
       place.piece = foot.part;

@@ -1,12 +1,11 @@
 /* The end of a step, after its forces: the walls hold what rests at them, and what has rebounded
  * gets its energy.
  *
- * A mover that rests is held by all of its walls in one solve (supports.h), for the whole of the
+ * A mover that rests is held by all of its walls in one solve (held.h), for the whole of the
  * kick from the middle of this step to that of the next, v_free = v + (dt/2) f/m: then its next
- * path ends at the walls. Half of the impulses belongs to this step and goes into v; the other half
- * is a force, which the engine adds with the others. They are where the next solve begins. A
- * distance from the wall that is off by more than rounding is put right within the next step. A
- * wall that would have to pull lets go.
+ * path ends at the walls. Half of each impulse changes v now. The other half is added to f, so the
+ * next half kick of the engine applies it. The impulses warm-start the next solve. A gap or overlap
+ * above rounding is closed during the next step. A wall that would have to pull lets go.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/flight.h"

@@ -15,7 +15,7 @@
  * and nothing where s >= 1; E_t is the energy of the mover along the wall, per mass. A mover that
  * has fallen to the wall is anywhere in its first valley, and has the energy of that place, too. On
  * the next ones E_t is what it has over the mean wall. The valley acts on the center of the sphere
- * as friction of the coefficient q (supports.h); one that bounces in it loses its motion along the
+ * as friction of the coefficient q (held.h); one that bounces in it loses its motion along the
  * wall. A bounce on the mean wall that is lower than h is none: the sphere rests. A law that takes
  * no energy has no valleys.
  *

@@ -1,4 +1,4 @@
-/* The path of a mover within a step, and its sustained contacts; see flight.h and supports.h.
+/* The path of a mover within a step, and its sustained contacts; see flight.h and held.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/flight.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dem/step/mover.h"
-#include "dem/step/supports.h"
+#include "dem/step/held.h"
 
 namespace asperity {
 

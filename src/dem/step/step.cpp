@@ -3,7 +3,7 @@
  * The engine has moved each mover straight, with the velocity of the middle of the step (a drawing
  * is in the README of dem). A mover that can meet a wall is taken back to the beginning of the step
  * and flies through it: the first contact on its path is an impact, by the wall's law, or is
- * sustained, by Moreau's rule (supports.h); then it goes on with its new velocity, through any
+ * sustained, by Moreau's rule (held.h); then it goes on with its new velocity, through any
  * number of contacts on any number of walls.
  *
  * One criterion separates impacts from sustained contacts, for every kind of wall and of mover. A
@@ -13,9 +13,8 @@
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * f includes the curvature of the wall if the mover rested there before and turns by less than
- * CURVE in a step; a free one meets a curved wall again on its straight path. A speed below GRAZING
- * is no approach.
+ * For a mover already resting, f includes the curvature of the wall (if it turns less than CURVE
+ * per step). A free mover simply hits a curved wall again. A speed below GRAZING is no approach.
  *
  * A sustained contact is no impact: it has no row and is not counted, but where it comes to the
  * next face of a rough wall (faces.cpp). At the end of the step it has become a rest: from then on

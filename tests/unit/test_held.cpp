@@ -3,7 +3,7 @@
  * how a free body turns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/step/supports.h"
+#include "dem/step/held.h"
 
 #include <math.h>
 #include <setjmp.h>

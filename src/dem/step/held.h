@@ -18,8 +18,8 @@
  * center: there `arm` ends at that, and |p_t| <= hold p_n. A ball loses its spin there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_SUPPORTS_H
-#define ASPERITY_DEM_SUPPORTS_H
+#ifndef ASPERITY_DEM_HELD_H
+#define ASPERITY_DEM_HELD_H
 
 #include <stddef.h>
 #include <vector>

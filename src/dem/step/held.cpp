@@ -1,7 +1,7 @@
-/* Contacts that last; see supports.h.
+/* Contacts that last; see held.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/step/supports.h"
+#include "dem/step/held.h"
 
 #include <math.h>
 #include <algorithm>
@@ -146,7 +146,7 @@ inline void solve_one(const Mover &mover, Held &s, double v[3], double omega[3])
   aspi_copy(p, s.p);
 }
 
-/* Gauss-Seidel sweeps over the supports. The changes soon shrink by one factor from sweep to sweep:
+/* Gauss-Seidel sweeps over the contacts. The changes soon shrink by one factor from sweep to sweep:
  * every third sweep, the impulses jump by the sum of the remaining series (Aitken). False if an
  * approach is left. */
 bool sweep(const Mover &mover, HeldList all, double v[3], double omega[3]) {
