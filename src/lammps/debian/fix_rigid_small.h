@@ -13,6 +13,8 @@ namespace LAMMPS_NS {
 class FixRigidSmall : public Fix {
 protected:
 #if ASPERITY_LAMMPS_VERSION == 20210929
+  int me, nprocs;
+
   struct Body {
     double mass, xcm[3], vcm[3], fcm[3], torque[3];
     double quat[4], inertia[3], ex_space[3], ey_space[3], ez_space[3];
@@ -31,7 +33,6 @@ protected:
   };
 #endif
 
-  int me, nprocs;
   double dtv, dtf, dtq, *step_respa;
   int triclinic;
   char *inpfile;
