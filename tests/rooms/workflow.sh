@@ -42,7 +42,7 @@ asked() { # WORDS THAT MUST BE ASKED FOR -- AND NOT -- COMMAND
   for word in "${wanted[@]}"; do grep -qE -- "[ =]$word( |$)" "$work/log" || say "$* does not ask for $word: $(cat "$work/log")"; done
   for word in "${not[@]}"; do ! grep -qE -- "[ =]$word( |$)" "$work/log" || say "$* asks for $word"; done
 }
-for_tests="liblammps-dev libcmocka-dev valgrind help2man python3-sphinx python3-numpy python3-pip python3-venv"
+for_tests="liblammps-dev libcmocka-dev valgrind help2man python3-sphinx python3-numpy python3-pip python3-setuptools python3-wheel python3-venv"
 asked libliggghts-dev libgsl-dev gnuplot-nox asperity_command liggghts-asperity -DASPERITY_LAMMPS=OFF -- $for_tests lammps-asperity all -- examples/run
 asked liblammps-dev lammps-asperity -DASPERITY_LIGGGHTS=OFF -- libliggghts-dev python3-sphinx all -- examples/run flat_plate --engine lammps
 asked liblammps-dev lammps-asperity libliggghts-dev liggghts-asperity -- python3-sphinx -- examples/run hopper rotating_drum
