@@ -11,7 +11,7 @@ find_path(LAMMPS_INCLUDE_DIR fix.h PATH_SUFFIXES lammps)
 find_library(LAMMPS_LIBRARY lammps)
 mark_as_advanced(LAMMPS_INCLUDE_DIR LAMMPS_LIBRARY)
 
-if(LAMMPS_LIBRARY)
+if(EXISTS "${LAMMPS_LIBRARY}") # a build folder may remember one that was removed
   file(STRINGS ${LAMMPS_LIBRARY} LAMMPS_VERSION LIMIT_COUNT 1
     REGEX "Parallel Simulator - [0-9]+ [A-Z][a-z]+ [0-9]+")
   if(LAMMPS_VERSION MATCHES "Parallel Simulator - ([0-9]+ [A-Z][a-z]+ [0-9]+)")
