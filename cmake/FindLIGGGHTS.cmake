@@ -9,7 +9,7 @@ find_path(LIGGGHTS_INCLUDE_DIR fix_wall_gran.h PATH_SUFFIXES liggghts)
 find_library(LIGGGHTS_LIBRARY liggghts)
 mark_as_advanced(LIGGGHTS_INCLUDE_DIR LIGGGHTS_LIBRARY)
 
-if(LIGGGHTS_LIBRARY)
+if(EXISTS "${LIGGGHTS_LIBRARY}") # a build folder may remember one that was removed
   file(STRINGS ${LIGGGHTS_LIBRARY} LIGGGHTS_VERSION LIMIT_COUNT 1
     REGEX "LIGGGHTS-[A-Za-z]+ [0-9]+\\.[0-9]+\\.[0-9]+")
   string(REGEX MATCH "LIGGGHTS-[A-Za-z]+ [0-9]+\\.[0-9]+\\.[0-9]+" LIGGGHTS_VERSION

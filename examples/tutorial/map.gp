@@ -10,9 +10,13 @@ set pm3d depthorder corners2color c1 lighting primary 0.45 specular 0.15
 set palette defined (0 '#f4f4f4', 0.25 '#c6dbef', 0.5 '#6baed6', 1 '#08519c')
 set cbtics 20
 set cblabel 'impacts per mm^2'
-set label 'orange: deposits' at screen 0.5, 0.05 center textcolor '#d55e00'
+set colorbox user origin screen 0.83,0.2 size screen 0.035,0.6
+set datafile separator comma
+stats 'impacts.csv' using ($19 > 0) nooutput
+set datafile separator
+set label sprintf('orange: deposits, %.0f of %.0f impacts', STATS_sum, STATS_records) at screen 0.43, 0.06 center textcolor '#d55e00'
 set multiplot
-set lmargin at screen 0.02; set rmargin at screen 0.84; set bmargin at screen 0.05; set tmargin at screen 0.98
+set lmargin at screen 0.02; set rmargin at screen 0.84; set bmargin at screen 0.08; set tmargin at screen 0.98
 set xrange [-6.5:6.5]; set yrange [-0.5:16.5]; set zrange [-2.5:2.5]
 splot 'map.txt' using 1:2:3:4 with pm3d
 unset colorbox; unset label

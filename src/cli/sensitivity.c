@@ -93,8 +93,8 @@ static void take_heading(study *s, const char *name, const char *heading) {
     own[strlen(own) - strlen(end)] = '\0';
   if (!own && !name)
     cli_bad_usage(
-        "%s: its first line has no 'fix ID wall/rebound', so no fix wrote it; for a cloud "
-        "of OpenFOAM --name must give the wall, as 'kinematicCloud:.*'",
+        "%s: its first line has no 'fix ID wall/rebound'; it must be the ledger that a fix wrote "
+        "with 'columns full', or, with --name as 'kinematicCloud:.*', that of a cloud of OpenFOAM",
         s->path);
   s->has_mass = own != NULL;
   s->has_erosion = strstr(heading, " erosion ");

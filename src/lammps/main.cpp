@@ -12,6 +12,7 @@
 #include <string>
 
 #include "lammps.h"
+#include "exceptions.h"
 #include "input.h"
 #include "modify.h"
 #include "fix_wall_rebound.h"
@@ -54,16 +55,27 @@ void asperity_create_factories(Modify *modify) {
 }
 }
 
-int main(int argc, char **argv) {
-  /* Behind a pipe an error message would stay in this process, which ends when another rank has. */
-  setvbuf(stdout, NULL, _IOLBF, 0);
-  MPI_Init(&argc, &argv);
+static void run(int argc, char **argv) {
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
   asperity::check(NAME, check_library(lammps));
   checked = true;
   register_style(lammps->modify);
   lammps->input->file();
   delete lammps;
+}
+
+int main(int argc, char **argv) {
+  int status = 0;
+  /* Behind a pipe an error message would stay in this process, which ends when another rank has. */
+  setvbuf(stdout, NULL, _IOLBF, 0);
+  MPI_Init(&argc, &argv);
+  try { /* LAMMPS has printed the message when it throws */
+    run(argc, argv);
+  } catch (LAMMPSAbortException &on_one_rank) {
+    MPI_Abort(on_one_rank.get_universe(), 1);
+  } catch (LAMMPSException &) {
+    status = 1;
+  }
   MPI_Finalize();
-  return 0;
+  return status;
 }

@@ -7,6 +7,7 @@ home=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 cd "$work"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe # the same of Open MPI 5
 export OMPI_MCA_orte_tmpdir_base=$work # as in tests/engine/engine.sh
 
 # row WHAT NUMBER UNIT [<=|>= LIMIT]: a line of the table.

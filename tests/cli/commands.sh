@@ -165,7 +165,7 @@ look=$root/examples/look.gp
 for kind in model law; do
   names=$(sed -n "/^${kind^^}[:,]/,/^$/s/^  \([a-z_]*\).*/\1/p" words | grep . | sort -u) # and none, on a smooth wall
   [ $kind = law ] || names+=' none'
-  for name in $names; do grep -q "^${kind}_$name = " "$look" || die "$kind $name has no style"; done
+  for name in $names; do grep -q "^${kind}_$name = " "$look" || die "examples/look.gp:$(grep -n "^${kind}_" "$look" | tail -n 1 | cut -d: -f1): add a style ${kind}_$name behind this line"; done
   [ "$(grep "^${kind}_" "$look" | grep -o "rgb '[^']*'" | sort -u | wc -l)" = "$(wc -w <<< "$names")" ] || die "two of kind $kind have one color"
 done
 # The scripts by hand: a title of two lines, the size and the vertical axis as given.

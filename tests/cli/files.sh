@@ -43,7 +43,7 @@ angles=$(seq -s , 1.001 0.05 89)
 { cat long; head -n 1 long; } > twice # and a comment below the rows
 "$asperity" compare long twice > out 2> err || die "compare: $(cat err)"
 "$asperity" erosion long erosion dnv density 7800 --density 2650 > out 2> err || die "erosion: $(cat err)"
-refuses 2 "its first line has no 'fix ID wall/rebound', so no fix wrote it" -- sensitivity long surface sigma 5 rebound walton 0.9 0.3 0
+refuses 2 "its first line has no 'fix ID wall/rebound'" -- sensitivity long surface sigma 5 rebound walton 0.9 0.3 0
 
 # A line of units has as many fields as the names above it: below a title `m,s` are names.
 printf 'Run 7\nm,s\n1,2\n' > odd

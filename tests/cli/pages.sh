@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The pages against the files and the command: every link leads to a file that is there, every option that they name
-# is one of the command that they name it for, what their commands read is there, and their lines of Python run (where
-# there are pandas and numpy).
+# is one of the command that they name it for, the commands of the command's page run in their order, and their lines of
+# Python run (where there are pandas and numpy).
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
 pages=$(cd "$root" && { git ls-files '*.md' 2> /dev/null || find . -name '*.md' -not -path './build*' -printf '%P\n'; })
@@ -25,23 +25,22 @@ for command in ${commands//|/ }; do options_of "$command" | sed "s/^/$command /"
 [ "$(wc -l < named)" -ge 25 ] || die "only these options were looked at: $(cat named)"
 [ -z "$(comm -23 named known)" ] || die "a page has options that there are not: $(comm -23 named known)"
 
-# Files that the commands of the command's page read are in the tree, or an earlier one writes them.
-written=' '
+# The block of the command's page runs from the top, with few samples: each line reads what is in the tree or what one
+# before it wrote.
+ln -s "$root/examples" .
+sed -nE 's/^build\/bin\/asperity ([^#]*).*/\1/p' "$root/src/cli/README.md" > block
+[ "$(wc -l < block)" -ge 10 ] || die "src/cli/README.md: the block has $(wc -l < block) lines"
 while read -r line; do
-  set -f; set -- $line; set +f
-  for word; do
-    case $word in
-      *.csv) case " $line " in
-          *" -o $word "* | *" --save $word "*) written="$written$word " ;;
-          *) [ -e "$root/$word" ] || [[ $written = *" $word "* ]] || die "src/cli/README.md: $word is nowhere: $line" ;;
-        esac ;;
-    esac
-  done
-done < <(sed -n 's/^build\/bin\/asperity \([^#]*\).*/\1/p' "$root/src/cli/README.md")
-[ "$written" != ' ' ] || die "src/cli/README.md: no command"
-
-# A ledger of the command cor has not the columns that sensitivity reads: no block makes one from the other.
-! sed -n 's/^build\/bin\/asperity //p' "$root/src/cli/README.md" | grep -q '^sensitivity' || die "src/cli/README.md: sensitivity reads a ledger that cor wrote"
+  set -f; set -- ${line//400um:5um/400um:200um}; set +f
+  case $1 in
+    cor | spread) set -- "$@" --samples 5 ;;
+    trade) set -- "$@" --angles 10 --rays 1000; [[ $line == *profile* ]] || set -- "$@" --ensemble 4 ;;
+    calibrate) set -- "$@" --samples 100 ;;
+  esac
+  "$asperity" "$@" > out 2> err || die "src/cli/README.md: $line: $(cat err)"
+done < block
+"$asperity" sensitivity ledger.csv surface sigma 5 2> err && die "sensitivity reads a ledger of cor"
+grep -q "the ledger that a fix wrote with 'columns full'" err || die "sensitivity: $(cat err)"
 
 /usr/bin/python3 -c 'import numpy, pandas' 2> /dev/null || { echo "no pandas: the lines of Python are not run"; exit 0; }
 "$asperity" surface surface rq 5um lambda_c 40um --points 8192 -o cor.csv

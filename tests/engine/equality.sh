@@ -36,7 +36,7 @@ both() {
   for each in liggghts lammps; do
     mkdir -p $each
     (use $each; cd $each; cp "../$1.in" .; engine "$2" "$1.in"
-     tail -n 900 end.txt | sed 's/ *$//' > end; grep -haE '^ +400 ' $1.in.screen | tail -n 1 | tr -s " " > counters || true)
+     tail -n 900 end.txt | sed 's/ *$//' > end; grep -haE '^ +400 ' $1.in.screen | tail -n 1 | tr -s " " | sed 's/ $//' > counters || true)
   done
   for file in $(cd liggghts; ls ./*.csv) $([ "${3:-}" ] || echo end counters); do same liggghts/$file lammps/$file "LIGGGHTS and LAMMPS, $1 on $2 ranks"; done
 }

@@ -85,7 +85,7 @@ says rest.in 'begins here' "'new.csv' begins here" "$(count_rows half.csv) rows 
 
 # No file may become larger: the run stops with the rows of whole windows, or goes on and counts those that are lost.
 printf '#!/usr/bin/env bash\ntrap "" XFSZ; ulimit -f 20; exec "$@"\n' > limit; chmod +x limit
-limited() { timeout 60 mpirun --mca btl self,tcp -np 2 ./limit "$program" -in full.in -log none > full.in.screen 2>&1; }
+limited() { timeout 60 mpirun --mca btl self,tcp --mca btl_tcp_if_include lo -np 2 ./limit "$program" -in full.in -log none > full.in.screen 2>&1; }
 sed 's/${out}/rows.csv on_error stop/; s/ledger 60/ledger 20/; s/${first}/250/; /^write_restart/,$d; /^dump/d' whole.in > full.in
 ! limited || die "a full disk did not stop the run"
 says full.in ERROR "rows.csv" "File too large" "rows of the steps" "are lost"

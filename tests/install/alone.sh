@@ -59,6 +59,6 @@ stops "LIGGGHTS_VERSION" "apt-get install liggghts" -- -DLIGGGHTS_LIBRARY="$work
 echo 'Version LIGGGHTS-PUBLIC 3.7.0, compiled' > "$work/libliggghts.so"
 stops "is LIGGGHTS-PUBLIC 3.7.0" "LIGGGHTS-PUBLIC 3.8.0" "ASPERITY_LIGGGHTS=OFF" -- -DLIGGGHTS_LIBRARY="$work/libliggghts.so"
 stops "apt-get install liblammps-dev" "ASPERITY_LAMMPS=OFF" -- -DASPERITY_LAMMPS=ON -DLAMMPS_LIBRARY=0
-echo 'Massively Parallel Simulator - 4 Feb 2025' > "$work/liblammps.so"
-stops "is of 4 Feb 2025" "29 Sep 2021" "ASPERITY_LAMMPS=OFF" -- -DLAMMPS_LIBRARY="$work/liblammps.so"
+echo 'Massively Parallel Simulator - 2 Aug 2023' > "$work/liblammps.so"
+stops "is of 2 Aug 2023" "29 Sep 2021, 7 Feb 2024, 4 Feb 2025" "ASPERITY_LAMMPS=OFF" -- -DLAMMPS_LIBRARY="$work/liblammps.so"
 stops "apt-get install librandom123-dev" -- -DRandom123_INCLUDE_DIR=0

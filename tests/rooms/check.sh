@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Which room of src may know which: no file includes a header of a room that its own must not know, no object of the
 # core uses a symbol that such a room defines, and no file lies loose in src. The table of CONTRIBUTING.md beside SRC has
-# a row for each room, and no other.
+# a row for each room, and no other. Each law and spread model is in the list of its kind and on the pages.
 # Usage: check.sh SRC [OBJECTS]: the folder of the rooms, and that of the core's object files, in the same rooms.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -62,6 +62,26 @@ cmp -s "$work/described" "$work/rooms" || bad=1
 functions() { grep -oE '\basp_[a-z0-9_]+\(' "$1" | sort -u; }
 comm -23 <(functions "$src/asperity.h") <(functions "$src/../tests/unit/test_api.c") > "$work/uncalled"
 [ ! -s "$work/uncalled" ] || say "tests/unit/test_api.c does not call $(paste -sd' ' "$work/uncalled")"
+
+# What a law or model needs besides its file: a line in the list of its kind, and its name on the pages.
+listed() { # NAME PATTERN FILE WORDS: the pattern is in the file, or belongs behind the first line with the words
+  grep -qE -- "$2" "$src/$3" || say "src/$3:$(grep -nm 1 -- "$4" "$src/$3" | cut -d: -f1): add $1 here"
+}
+records=0
+while IFS=, read -r room type list macro heading syntax; do
+  for name in $(grep -ohP "^const $type aspi_${room}_\K\w+(?= = )" "$src/$room"/*.c); do
+    records=$((records + 1))
+    listed "$name" "\bX\($name\)" "$room/$list.h" "$macro"
+    listed "$name" "\`$name\b" wall/models.md "^## $heading"
+    [ -z "$syntax" ] || listed "$name" "\b$name\b" liggghts/fix_wall_rebound.md "^$syntax  "
+    [ -z "$syntax" ] || listed "$name" "\*$name\*" lammps/fix_wall_rebound.rst "\*$syntax\* value"
+  done
+done << 'END'
+rebound,asp_rebound_law,laws,ASP_REBOUND_LAWS(X),Restitution laws,rebound
+spread,asp_spread_model,models,ASP_SPREAD_MODELS(X),Spread models,
+erosion,aspi_erosion_law,laws,ASPI_EROSION_LAWS(X),Erosion,erosion
+END
+[ $records -ge 20 ] || say "only $records laws and models were found"
 
 looked=0
 while IFS=: read -r file include; do

@@ -60,6 +60,8 @@ typedef struct tally {
 
 /* One combination of everything. */
 typedef struct combination {
+  uint64_t number;
+  double slope; /* tan sigma */
   asp_wall wall;
   asp_pair pair;
   asp_particle particle;
@@ -75,20 +77,11 @@ static aspi_cor_table *table;
 /* Of this thread: the u that a forced model takes, the model behind it, the combination at work. */
 static _Thread_local double u_forced;
 static _Thread_local const asp_spread_model *behind;
-static _Thread_local uint64_t at_work;
+static _Thread_local const combination *at_work;
 
 static double forced_quantile(const aspi_view *view, double u) {
   (void)u;
   return behind->quantile(view, u_forced);
-}
-
-static void on_trap(int number) {
-  char text[96];
-  int length = snprintf(text, sizeof text, "signal %d in combination %llu\n", number,
-                        (unsigned long long)at_work);
-  if (write(STDERR_FILENO, text, (size_t)length) < 0)
-    _exit(2);
-  _exit(1);
 }
 
 /* The walls of one slope, of every model. */
@@ -112,6 +105,10 @@ static bool make_walls_of(int i, double slope) {
   return made;
 }
 
+static double slope_at(int i) {
+  return i < 16 ? pow(10, i - 15) : tan(54 * ASP_PI / 180);
+}
+
 /* Walls of every model and slope: tan sigma from 1e-15 to 1, and the largest sigma, 54 degrees. */
 static bool make_walls(void) {
   for (int k = 0; k < asp_spread_count(); k++) {
@@ -119,7 +116,7 @@ static bool make_walls(void) {
     forced[k].quantile = forced_quantile;
   }
   for (int i = 0; i < SLOPES; i++)
-    if (!make_walls_of(i, i < 16 ? pow(10, i - 15) : tan(54 * ASP_PI / 180)))
+    if (!make_walls_of(i, slope_at(i)))
       return false;
   static const aspi_cor_point points[] = {{1e-3, 0, 1, 1},     {1e-3, 0.7, 0.9, 0.7},
                                           {1e-3, 1.5, 0.5, 1}, {1e3, 0, 1, 1},
@@ -148,6 +145,7 @@ static void choose_law(aspi_stream *s, asp_wall *wall) {
 static void choose_wall(aspi_stream *s, combination *c) {
   int model = one_of(s, asp_spread_count()), slope = one_of(s, SLOPES);
   c->wall = *walls[model][slope];
+  c->slope = slope_at(slope);
   behind = asp_spread_at(model);
   if (behind->quantile && one_of(s, 8) == 0)
     c->wall.spread = &forced[model];
@@ -325,14 +323,41 @@ static place place_of(const combination *a, const asp_impact *x, const combinati
   return x->outcome != y->outcome ? CAPTURE : PLACES;
 }
 
-static void print_combination(const combination *c, const asp_impact *impact) {
-  printf("law %s spread %s rough %d multiple %d isotropic %d deposit %d\n", c->wall.law->name,
-         c->wall.spread->name, c->wall.rough, c->wall.multiple, c->wall.isotropic, c->wall.deposit);
-  printf("d_p %.17g rho %.17g E %.17g sigma_y %.17g gamma %.17g mu %.17g\n", c->particle.d_p,
+/* The words of its wall, and its numbers. */
+static void print_combination(const combination *c) {
+  const asp_wall *wall = &c->wall;
+  const char *last = "";
+  printf("surface tan_sigma %g spread %s %s collisions %s deposit %s", wall->rough ? c->slope : 0,
+         wall->spread->name, wall->isotropic ? "isotropic" : "plane",
+         wall->multiple ? "multiple" : "single", wall->deposit ? "freeze" : "off");
+  if (wall->spread->quantile == forced_quantile)
+    printf(" (its quantile at u = %.17g)", u_forced);
+  printf(" rebound %s", wall->law->name);
+  for (int i = 0; i < wall->law->n_parameters; i++) {
+    const char *keyword = aspi_parameter_keyword(&wall->law->parameters[i]);
+    if (strcmp(keyword, last) != 0)
+      printf(" %s", keyword);
+    last = keyword;
+    printf(" %.17g", wall->parameters[i]);
+  }
+  printf("\nd_p %.17g rho %.17g E %.17g sigma_y %.17g gamma %.17g mu %.17g\n", c->particle.d_p,
          c->particle.density, c->pair.modulus, c->pair.yield_stress, c->pair.surface_energy,
          c->pair.friction);
-  printf("v1 %.17g %.17g %.17g n %.17g %.17g %.17g\n", c->v1[0], c->v1[1], c->v1[2], c->n[0],
-         c->n[1], c->n[2]);
+  printf("v1 %.17g %.17g %.17g n %.17g %.17g %.17g omega %.17g %.17g %.17g\n", c->v1[0], c->v1[1],
+         c->v1[2], c->n[0], c->n[1], c->n[2], c->particle.omega[0], c->particle.omega[1],
+         c->particle.omega[2]);
+}
+
+/* Traps come from arithmetic, never from within printf. */
+static void on_trap(int number) {
+  printf("combination %llu: signal %d (%s)\n", (unsigned long long)at_work->number, number,
+         strsignal(number));
+  print_combination(at_work);
+  fflush(stdout);
+  _exit(1);
+}
+
+static void print_impact(const asp_impact *impact) {
   printf("v2 %.17g %.17g %.17g delta %.17g hits %d capped %d outcome %d\n", impact->v2[0],
          impact->v2[1], impact->v2[2], impact->delta_alpha, impact->hits, impact->capped,
          impact->outcome);
@@ -355,9 +380,9 @@ static bool explain(const combination *a, const asp_impact *x, const combination
 /* One combination; false when something is wrong with it. */
 static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
   aspi_stream s = aspi_stream_begin(&(asp_key){seed, 1, number, 0});
-  combination c;
+  combination c = {.number = number};
   asp_impact here, there;
-  at_work = number;
+  at_work = &c;
   choose_wall(&s, &c);
   choose_particle(&s, &c);
   choose_velocity(&s, &c);
@@ -367,6 +392,7 @@ static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
   bool far = one_of(&s, 4) == 0;
   change(&s, &d, far ? CHANGE_FAR : CHANGE);
   meet(&c, &here);
+  at_work = &d;
   meet(&d, &there);
   t->deposits += here.outcome == ASP_DEPOSIT;
   t->capped += here.capped;
@@ -383,8 +409,10 @@ static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
   {
     printf("combination %llu: %s (change %g)\n", (unsigned long long)number, wrong,
            jump_of(&c, &here, &there));
-    print_combination(&c, &here);
-    print_combination(&d, &there);
+    print_combination(&c);
+    print_impact(&here);
+    print_combination(&d);
+    print_impact(&there);
   }
   return false;
 }

@@ -197,7 +197,7 @@ static void add_rest(char *text, const asp_rebound_law *law, bool by_rate) {
   bool off = whole(3) == 0, pair = asp_rebound_needs_pair(law);
   if (pair && whole(2))
     add(text, " materials quartz %s", whole(2) ? "steel" : "304-ss");
-  if (strcmp(asp_rebound_name(law), "walton") != 0 && whole(2))
+  if (aspi_rebound_parameter_find(law, "mu") < 0 && whole(2)) /* not a law with one of its own */
     add(text, " friction %.17g", uniform());
   if (pair && !off && whole(2))
     add(text, " surface_energy %.17g", uniform());

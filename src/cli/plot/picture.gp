@@ -4,6 +4,7 @@
 if (!strlen(given[2])) { print 'usage: gnuplot -c SCRIPT TABLE PICTURE [TITLE [WIDTHxHEIGHT [FROM:TO]]]'; exit status 1 }
 table = given[1]; picture = given[2]; title = given[3]; size = given[4]; range = given[5]
 load here.'look.gp'
+if (GPVAL_VERSION >= 6) { unset warnings } # of columns without a value, as CoR_T is at normal impact
 if (strlen(size)) { width = int(size[1:strstrt(size, 'x') - 1]); height = int(size[strstrt(size, 'x') + 1:*]) }
 ending = picture[strlen(picture) - 2:*]
 if (ending eq 'svg') { set term svg enhanced size width,height font 'sans,14' background 'white' }

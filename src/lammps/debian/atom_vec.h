@@ -1,5 +1,6 @@
-/* Stands in for LAMMPS's atom_vec.h, which Debian's liblammps-dev 20220106 leaves out: only what
- * the fix calls, which is no virtual function. Used only where LAMMPS's own header is not there.
+/* Stands in for LAMMPS's atom_vec.h, which Debian's liblammps-dev leaves out: only what the fix
+ * calls. Since 2022 it is virtual, but in no class of these packages another than here. Used only
+ * where LAMMPS's own header is not there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LMP_ATOM_VEC_H

@@ -1,6 +1,7 @@
 /* Stands in for the copy of the fmt library that LAMMPS brings along, and that Debian's
- * liblammps-dev 20220106 leaves out: only the names that LAMMPS's headers use, in the namespace of
- * LAMMPS's copy. Nothing here is called: what needs a format goes through a std::string.
+ * liblammps-dev 20220106 leaves out, and later ones have: only the names that LAMMPS's headers use,
+ * in the namespace of LAMMPS's copy. Nothing here is called: what needs a format goes through a
+ * std::string.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef FMT_FORMAT_H_
