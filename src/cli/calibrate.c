@@ -33,23 +33,20 @@ static double standard_of(const cli_description *wall, const char *name) {
 
 /* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const cli_description *wall, const char *name) {
-  const asp_rebound_law *law = asp_description_rebound(wall->words);
-  int index = aspi_rebound_parameter_find(law, name);
-  const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
-  const aspi_keyword *k = aspi_keywords;
-  while (!p && !(k->may_fit && strcmp(k->name, name) == 0))
-    k++;
-  bool is_surface = !p && strcmp(k->within, "surface") == 0;
+  size_t place;
+  const aspi_keyword *k = aspi_number_find(wall->words, name, &place);
+  const bool is_surface = k->within && strcmp(k->within, "surface") == 0;
+  const bool is_pair = k->within && !*k->within;
   aspi_unknown u = {.name = name,
-                    .kind = p || (*k->within && !is_surface) ? OF_LAW
-                            : is_surface                     ? OF_SURFACE
-                                                             : OF_PAIR,
-                    .least = p ? p->least : k->least,
-                    .most = p ? p->most : k->most};
-  u.bounded = p && u.most - u.least <= 10;
-  u.standard = p ? p->fallback : *k->within ? k->fallback : standard_of(wall, name);
+                    .kind = is_surface ? OF_SURFACE
+                            : is_pair  ? OF_PAIR
+                                       : OF_LAW,
+                    .least = k->least,
+                    .most = k->most,
+                    .standard = is_pair ? standard_of(wall, name) : k->fallback};
+  u.bounded = !k->within && u.most - u.least <= 10;
   char units[120];
-  aspi_quantity_units(p ? p->unit : k->unit, units, sizeof units);
+  aspi_quantity_units(k->unit, units, sizeof units);
   snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);
   return u;
 }

@@ -188,8 +188,9 @@ void cli_plot_close(const cli_call *call, FILE *table, const char *script);
 void cli_help_command(const cli_command *command, const cli_option *options);
 void cli_help_all(const cli_command *const *commands);
 
-/* Prints the words that describe a wall, from their table. */
+/* Prints the words that describe a wall; or one keyword, law or model (false: there is none). */
 void cli_help_wall(void);
+bool cli_help_word(const char *name);
 
 /* Prints the words that may follow these of a command line, FILE for the name of a file: for the
  * shell's completion. */

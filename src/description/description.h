@@ -4,6 +4,7 @@
 #ifndef ASP_DESCRIPTION_DESCRIPTION_H
 #define ASP_DESCRIPTION_DESCRIPTION_H
 
+#include "base/keyword.h"
 #include "surface/describe.h"
 #include "wall/wall.h"
 
@@ -60,35 +61,6 @@ struct asp_description {
 
 /* ---- the table of keywords ---- */
 
-/* When a keyword is in the canonical text. */
-typedef enum aspi_shown { ASPI_IF_GIVEN, ASPI_IF_ROUGH, ASPI_ALWAYS, ASPI_NEVER } aspi_shown;
-
-/* A keyword. Its value is a number, a string, one word of a choice, or has a form of its own (see
- * forms.c); behind it follow, in any order, the keywords within it. Places are offsets in the
- * description, 0 for none. */
-typedef struct aspi_keyword {
-  const char *within; /* the keyword that it belongs to; "" where it begins a clause */
-  const char *name;
-  const char *values;   /* as a syntax shows them; "" for none */
-  const char *standard; /* the default, as text; "" where there is none */
-  const char *text;     /* NULL: a value of the keyword that it is within */
-  const char *after;    /* of the keywords within that one, those that it may follow; "": none,
-                           it comes first; NULL: any */
-  size_t number;        /* place of a double */
-  const char *unit;     /* its kind, as "length"; "" for none; NULL: no number */
-  double fallback, least, most;
-  bool above;    /* it must be more than `least` */
-  bool whole;    /* it must be a whole number */
-  bool may_fit;  /* `asperity calibrate` can fit it */
-  size_t string; /* place of a char * */
-  size_t choice; /* place of a byte: the word's number among the values */
-  size_t flag;   /* place of a byte that the keyword sets to `sets` */
-  uint8_t sets;
-  aspi_shown shown;
-  bool needed; /* within its keyword */
-  bool in_si;  /* its constants are in SI, so the caller's units must be known */
-} aspi_keyword;
-
 /* All keywords; the last one has no name. */
 extern const aspi_keyword aspi_keywords[];
 
@@ -97,6 +69,10 @@ const aspi_keyword *aspi_keyword_find(const char *name);
 
 /* The keyword's bit in `given`. */
 uint64_t aspi_keyword_bit(const aspi_keyword *keyword);
+
+/* A number that asp_description_get and _set know: a parameter of the rebound law, else of a
+ * keyword; NULL: there is none. *place: its offset in the description. */
+const aspi_keyword *aspi_number_find(const asp_description *d, const char *name, size_t *place);
 
 /* Adds the words within one to a list, with blanks between. */
 void aspi_keyword_names(const char *within, char *list, size_t size);

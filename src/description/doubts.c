@@ -164,7 +164,7 @@ static void is_high(const asp_question *q, char *text, size_t size) {
 
 static void is_soft(const asp_question *q, char *text, size_t size) {
   const aspi_erosion *erosion = &q->words->choice.erosion;
-  const asp_parameter *p = erosion->law ? &erosion->law->parameters[0] : NULL;
+  const aspi_keyword *p = erosion->law ? &erosion->law->parameters[0] : NULL;
   bool hardness = p && strcmp(p->name, "hardness") == 0;
   if (p && strcmp(p->unit, "stress") == 0 &&
       erosion->si[0] < (hardness ? HARDNESS_LEAST : FLOW_STRESS_LEAST))

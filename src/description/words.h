@@ -42,6 +42,9 @@ asp_code aspi_words_file(aspi_words *words, const char *name, char **file);
 /* Takes a number, with its unit if it has one, or `fit` where it may be that. */
 asp_code aspi_words_number(aspi_words *words, const aspi_keyword *keyword, double *value);
 
+/* Takes one of the keyword's values, as "freeze | delete | off": its number, from 0. */
+asp_code aspi_words_choice(aspi_words *words, const aspi_keyword *keyword, int *index);
+
 /* True, with a message where it belongs, if a word is a keyword within another one. */
 bool aspi_words_misplaced(const aspi_words *words, const char *name);
 

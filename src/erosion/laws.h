@@ -15,7 +15,7 @@ typedef struct aspi_erosion_law {
   const char *source;
   bool is_volume; /* the law gives a volume of the wall, else a mass */
   int n_parameters;
-  const asp_parameter *parameters; /* fallback NaN: it follows from others; see the law */
+  const aspi_keyword *parameters; /* fallback NaN: it follows from others; see the law */
   /* Parameters and all that follows in SI: m^3 or kg of the wall per kg of the particle, at the
    * speed v, under the impact angle of this sine and cosine. */
   double (*rate)(const double *parameters, double v, double sine, double cosine, double d_p);

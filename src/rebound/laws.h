@@ -5,6 +5,7 @@
 #ifndef ASP_REBOUND_LAWS_H
 #define ASP_REBOUND_LAWS_H
 
+#include "base/keyword.h"
 #include "base/stream.h"
 #include "rebound/cor_table.h"
 #include "rebound/materials.h"
@@ -12,15 +13,6 @@
 #include <math.h>
 
 enum { ASP_PARAMETERS_MAX = 8 };
-
-/* Script word that introduces a parameter; "" if it follows the law's name. */
-static inline const char *aspi_parameter_keyword(const asp_parameter *parameter) {
-  return parameter->keyword ? parameter->keyword : "";
-}
-
-/* The value of one of a parameter's words. */
-asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
-                             asp_error *error);
 
 /* One hit in the frame of the local face. */
 typedef struct aspi_hit {
@@ -70,7 +62,7 @@ struct asp_rebound_law {
   bool measured;          /* its coefficients were measured on a wall: they include its roughness */
   double d_least, d_most; /* the diameters that its adhesion is for, in m; 0: it has none */
   int n_parameters;
-  const asp_parameter *parameters;
+  const aspi_keyword *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
   /* The share of the yield stress that the temperature of the parameters leaves; NULL: all of it.
    */

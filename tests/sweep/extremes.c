@@ -137,7 +137,7 @@ static void choose_law(aspi_stream *s, asp_wall *wall) {
   wall->law = asp_rebound_at(which);
   wall->table = table;
   for (int i = 0; i < wall->law->n_parameters; i++) {
-    const asp_parameter *p = &wall->law->parameters[i];
+    const aspi_keyword *p = &wall->law->parameters[i];
     wall->parameters[i] = p->fallback;
     if (one_of(s, 4) == 0)
       wall->parameters[i] = isfinite(p->most) ? between(s, p->least, p->most) : or_zero(s, 0, 12);

@@ -175,15 +175,15 @@ static const asp_rebound_law *add_law(char *text) {
   const char *last = "";
   bool on = true;
   for (int i = 0; i < law->n_parameters; i++) {
-    const asp_parameter *p = &law->parameters[i];
-    const char *keyword = aspi_parameter_keyword(p);
+    const aspi_keyword *p = &law->parameters[i];
+    const char *keyword = aspi_keyword_word(p);
     if (strcmp(keyword, last) != 0) {
       on = strcmp(keyword, "soften") != 0 || strcmp(last, "temperature") != 0 ? whole(2) : on;
       if (on)
         add(text, " %s", keyword);
     }
     last = keyword;
-    if (p->words && on)
+    if (p->values && on)
       add(text, whole(2) ? " on" : " off");
     else if (on) /* hot enough to be soft */
       add(text, " %.17g",
@@ -307,7 +307,12 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("surface smooth map 100", "'map' has no place here behind 'surface'", "surface map FILE");
   refuses("materials quartz steel collisions multiple", "'collisions' belongs behind 'spread'", "");
   refuses("oka 1.8GPa", "'oka' belongs behind 'erosion': erosion oka", "");
-  refuses("rebound bons walton", "'walton' is unknown", "friction");
+  refuses("rebound bons walton", "rebound takes one law; 'walton' follows 'bons'", "");
+  refuses("spread visible traced", "spread takes one model; 'traced' follows 'visible'", "");
+  refuses("temperature 1200", "'temperature' belongs to 'rebound bons'; put it behind", "");
+  refuses("rebound walton 0.9 0.3 0 spin on", "'spin' belongs to 'rebound bons'", "");
+  refuses("rebound walton 0.9 0.3 0 friction 1 compliance 1", "belongs to 'rebound walton'", "");
+  refuses("materials quartz steel particles sic", "'particles' belongs to 'erosion oka'", "");
 }
 
 static void words_are_given_once(void **state) {
@@ -369,7 +374,7 @@ static void bad_values_are_named(void **state) {
   refuses("grain cube", "grain is 'cube'", "sphere | lever S");
   refuses("grain lever 0", "lever is 0", "0 to 0.5");
   refuses("rebound walton 0.9 0.2 0.4 grain lever 0.03", "BETA0 0", "");
-  refuses("rebound bons spin fast", "spin is 'fast'", "off on");
+  refuses("rebound bons spin fast", "spin is 'fast'", "off | on");
   refuses("rebound bons temperature 500F", "'500F'", "K C");
   refuses("rebound table nowhere.csv", "nowhere.csv", "No such file");
   refuses("materials quartz steel file nowhere.csv", "nowhere.csv", "No such file");
@@ -397,7 +402,8 @@ static void what_has_no_effect_is_refused(void **state) {
   refuses("materials quartz steel rebound constant 1 1", "'materials' has no effect", "constant");
   refuses("yield_stress 1e8 rebound bons yield_rate 3e6", "'yield_stress' has no effect",
           "yield_rate");
-  refuses("rebound bons temperature 600", "'temperature' has no effect", "1000 K");
+  refuses("rebound bons temperature 600", "'temperature' has no effect at 600 K",
+          "starts at 1000 K");
   refuses("rebound bons soften 800 0.001 temperature 800", "'temperature' has no effect", "800 K");
   refuses("deposit off remove u_tau 1 gas_density 1 gas_viscosity 1", "'remove' has no effect",
           "deposit off");
@@ -679,7 +685,7 @@ static void numbers_may_be_unknown(void **state) {
              {"surface rq fit=4lb lambda_c 40um", "rq is '4lb'", "m cm mm um nm"},
              {"surface sigma fit=60", "sigma is 60", "0.001 to 54"},
              {"rebound walton fit=1.5 0.1 0", "e is 1.5", "0 to 1"},
-             {"rebound bons spin fit", "spin is 'fit'", "off on"},
+             {"rebound bons spin fit", "spin is 'fit'", "off | on"},
              {"seed fit", "seed is 'fit'", "number"},
              {"rebound walton fit fit 0 friction fit", "'friction' has no effect", "walton"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {

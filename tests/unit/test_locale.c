@@ -76,7 +76,7 @@ static void messages(void **state) {
   (void)state;
   static const char *const all[][2] = {
       {"surface sigma 60.5", "sigma is 60.5; it must be 0.001 to 54"},
-      {"rebound bons soften 800.5 0.001 temperature 800", "falls above 800.5 K only"},
+      {"rebound bons soften 800.5 0.001 temperature 800", "softening starts at 800.5 K"},
       {"surface rq 5.5um lambda_c 4.25um", "phi_r = r_q/lambda_c is 1.29412"}};
   asp_error error;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {

@@ -36,15 +36,6 @@ bool asp_rebound_needs_pair(const asp_rebound_law *law) {
   return law->needs_pair;
 }
 
-asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
-                             asp_error *error) {
-  int index = aspi_word_index(parameter->words, word, strlen(word), true);
-  *value = index;
-  return index >= 0 ? ASP_OK
-                    : aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s",
-                                parameter->name, word, parameter->words);
-}
-
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name) {
   for (int i = 0; i < law->n_parameters; i++)
     if (strcmp(law->parameters[i].name, name) == 0)

@@ -31,14 +31,6 @@ const char *asp_spread_name(const asp_spread_model *model) {
   return model->name;
 }
 
-const char *asp_spread_summary(const asp_spread_model *model) {
-  return model->summary;
-}
-
-const char *asp_spread_source(const asp_spread_model *model) {
-  return model->source;
-}
-
 aspi_view aspi_view_of(double sigma, double alpha1) {
   return (aspi_view){
       .slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1, .phi_r = tan(sigma) / sqrt(2)};
