@@ -82,7 +82,7 @@ void asp_surface_free(asp_surface *surface);
 double asp_surface_face_length(const asp_surface *surface, double d_p);
 
 /* Bytes of a struct, by its name without asp_, for a caller that lays it out by itself: body,
- * coefficients, error, impact, key, lay, particle, question. 0 for another name. */
+ * coefficients, error, impact, key, lay, particle, check_input. 0 for another name. */
 size_t asp_struct_size(const char *name);
 
 #if defined(__GNUC__)

@@ -43,7 +43,7 @@ bool aspi_calibration_set(const aspi_calibration *c, const double *scaled) {
   return made != NULL;
 }
 
-/* Adds noise to what was measured of a rebound: x and y are in shares of v1. */
+/* Adds measurement noise to a rebound: x and y are shares of v1. */
 static void add_noise(const aspi_calibration *c, const double *normal, double *x, double *y) {
   double angle = atan2(*x, *y) + aspi_radians(c->noise[1]) * normal[1];
   double speed =
@@ -73,7 +73,7 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
   asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
   if (impact.outcome == ASP_DEPOSIT)
     return false;
-  /* With v1 along the normal there is no plane of incidence: what is off the normal is all along.
+  /* With v1 along the normal there is no plane of incidence: the whole tangential velocity counts.
    */
   bool all = c->data.view == ASPI_IN_SPACE || !(v1[0] > 0);
   xy[COR_N] = impact.v2[2] / v;

@@ -32,8 +32,8 @@ static size_t count_below(const aspi_scatter *impacts, double angle) {
 }
 
 /* An unknown one is near any. */
-static bool is_near(double is, double wanted, double share) {
-  return isnan(is - wanted) || fabs(is - wanted) <= share * wanted;
+static bool is_near(double value, double wanted, double share) {
+  return isnan(value - wanted) || fabs(value - wanted) <= share * wanted;
 }
 
 static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
@@ -45,7 +45,7 @@ static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
 
-/* ---- what tells impacts apart ---- */
+/* ---- borders between impacts ---- */
 
 static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
 
@@ -212,7 +212,7 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
   return true;
 }
 
-/* The measured impacts, or means. An sd without the number of impacts counts as of one. */
+/* The measured impacts, or means. An sd without a number of impacts counts as one impact. */
 static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
   const aspi_scatter_row *row = &data->rows[b->first];
   aspi_side *side = &b->data;

@@ -44,7 +44,7 @@ enum { ROUNDS = 12 };
 /* Halvings to an end of an interval next to a bound, and the steps of the fit in each. */
 enum { HALVINGS = 10, HALVING_STEPS = 2 };
 
-/* Residual of each moment if there is no model with the values of the unknowns. */
+/* Residual of each moment if the values of the unknowns make no wall. */
 #define NOT_A_MODEL 1e5
 
 /* Share of each variance that is added to it, as a simulation does not resolve combinations of
@@ -52,9 +52,8 @@ enum { HALVINGS = 10, HALVING_STEPS = 2 };
 #define RIDGE 1e-3
 #define FLOOR 1e-14
 
-/* The box in which the search looks for starts, and bounds of the search, of an unknown without
- * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
- * one with bounds. */
+/* The box of the starts, and the bounds of the search. Unknown without bounds: as logarithms of
+ * shares of its default value; with bounds: on the logistic scale. */
 #define LOG_AROUND 2.5
 #define LOG_FAR 9.2
 #define LOGISTIC_AROUND 3.5
@@ -76,10 +75,10 @@ static double scale_of(const aspi_unknown *u, double value) {
   return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
 }
 
-/* Sets the search range: around the standard value, or around a start far from that. */
+/* Sets the search range: around the default value, or around a start far from that. */
 static void bound_search(aspi_unknown *u) {
   double start = scale_of(u, u->start), around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;
-  double center = u->bounded ? 0 : log(u->standard);
+  double center = u->bounded ? 0 : log(u->default_value);
   if (!(fabs(start - center) < around) && !u->bounded)
     center = start;
   u->low = u->bounded ? -LOGISTIC_FAR : fmax(center - LOG_FAR, log(u->least));
@@ -101,7 +100,8 @@ static void limit(const search *s, double *at) {
  * second term is that of variances of few impacts. */
 static double covariance(const aspi_calibration_bin *bin, const aspi_bin_moments *model, int k,
                          int l) {
-  const aspi_bin_moments *data = &bin->moments, *scatter = model && !bin->by_data ? model : data;
+  const aspi_bin_moments *data = &bin->moments,
+                         *scatter = model && !bin->data_weighted ? model : data;
   double n = data->rebounds;
   if (k == MOMENT_STUCK || l == MOMENT_STUCK) {
     double share = (data->all * (model ? model : data)->of[MOMENT_STUCK] + 0.5) / (data->all + 1);
@@ -212,8 +212,8 @@ static void find_errors(gsl_multifit_nlinear_workspace *solver, size_t p, aspi_f
       fit->correlation[j][k] = of_all[j * p + k] / (fit->error[j] * fit->error[k]);
 }
 
-/* Least squares from there on; returns the sum, INFINITY where there is no model. fit NULL: errors
- * are not needed. */
+/* Least squares from `at`; returns the sum, INFINITY if no values make a wall. fit NULL: no errors
+ * are needed. */
 static double descend(search *s, double *at, int steps, double close, aspi_fit *fit) {
   size_t p = s->problem->n_unknown;
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
@@ -336,8 +336,8 @@ static bool settle(search *s, aspi_fit *fit) {
   return isfinite(fit->chi2);
 }
 
-/* The fit with weights of the data, and that with weights of the model if it describes them: one
- * that scatters too little would take its misfit for certain. */
+/* The fit with weights of the data, then one with weights of the model if it describes the data. A
+ * model with too little scatter would give its own misfit too much weight. */
 static asp_code fit_all(search *s, aspi_fit *fit, bool by_model) {
   fit->chi2 = descend(s, fit->at, STEPS, CLOSE, fit);
   fit->dof = (double)(s->n_moments - s->problem->n_unknown);
@@ -369,7 +369,7 @@ static bool is_above(search *s, const aspi_fit *fit, double rise, size_t j, doub
 }
 
 /* The value of an unknown, on the side of a bound, where chi^2 is higher by that rise. */
-static double end_of(search *s, const aspi_fit *fit, double rise, size_t j, double bound) {
+static double interval_end(search *s, const aspi_fit *fit, double rise, size_t j, double bound) {
   double inner = fit->at[j], outer = bound;
   for (int i = 0; i < HALVINGS; i++) {
     double middle = (inner + outer) / 2;
@@ -385,9 +385,9 @@ static void find_intervals(search *s, aspi_fit *fit) {
   double n = 0;
   for (size_t b = 0; b < p->n_bins; b++)
     n += p->bins[b].moments.all;
-  bool scaled = (!p->known || !fit->described) && fit->dof > 0;
+  bool scaled = (!p->has_errors || !fit->described) && fit->dof > 0;
   double wide = scaled ? sqrt(fit->chi2 / fit->dof) : 1;
-  double freedom = fmax(1, (p->known ? n : (double)s->n_moments) - (double)p->n_unknown);
+  double freedom = fmax(1, (p->has_errors ? n : (double)s->n_moments) - (double)p->n_unknown);
   double both = gsl_cdf_tdist_Pinv(0.975, freedom) * wide;
   double one = gsl_cdf_tdist_Pinv(0.95, freedom) * wide;
   for (size_t j = 0; j < p->n_unknown; j++) {
@@ -397,8 +397,8 @@ static void find_intervals(search *s, aspi_fit *fit) {
     bool has_low = is_above(s, fit, both * both, j, s->low[j]);
     bool has_high = is_above(s, fit, both * both, j, s->high[j]);
     if (!has_low || !has_high) {
-      *low = has_low ? end_of(s, fit, one * one, j, s->low[j]) : -INFINITY;
-      *high = has_high ? end_of(s, fit, one * one, j, s->high[j]) : INFINITY;
+      *low = has_low ? interval_end(s, fit, one * one, j, s->low[j]) : -INFINITY;
+      *high = has_high ? interval_end(s, fit, one * one, j, s->high[j]) : INFINITY;
     }
   }
   for (size_t j = 0; j < p->n_unknown; j++)
@@ -416,7 +416,7 @@ static asp_code find(search *s, aspi_fit *fit) {
   asp_code code = look_around(s, fit);
   s->samples = p->samples;
   if (!code)
-    code = fit_all(s, fit, p->known && (!p->smooth || noisy));
+    code = fit_all(s, fit, p->has_errors && (!p->smooth || noisy));
   if (!code)
     find_intervals(s, fit);
   return !code && !set_model(s, fit->at) ? ASP_EDATA : code;

@@ -8,7 +8,7 @@
 #include "analysis/angles.h"
 #include "analysis/impacts.h"
 
-/* Fewer single impacts than this tell no standard error to divide by. */
+/* Fewer single impacts than this give no usable standard error. */
 enum { ASPI_SCORED_LEAST = 10 };
 
 /* The quantities of an impact: its numbers that are compared, and 1 for a deposit, 0 for a rebound.
@@ -52,6 +52,6 @@ void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *
 
 /* NAN where no difference has a known standard error. The standard error is that of a quadratic
  * form of normal differences. */
-aspi_estimate aspi_score_end(const aspi_score *score);
+aspi_mean_error aspi_score_end(const aspi_score *score);
 
 #endif

@@ -10,7 +10,12 @@
 #include <stdint.h>
 
 /* When a keyword is in the canonical text. */
-typedef enum aspi_shown { ASPI_IF_GIVEN, ASPI_IF_ROUGH, ASPI_ALWAYS, ASPI_NEVER } aspi_shown;
+typedef enum aspi_print {
+  ASPI_PRINT_IF_SET,
+  ASPI_PRINT_IF_ROUGH,
+  ASPI_PRINT,
+  ASPI_PRINT_NEVER
+} aspi_print;
 
 /* What a word needs of the rest of a description to have an effect; bits. */
 typedef enum aspi_need {
@@ -28,29 +33,29 @@ typedef enum aspi_need {
 /* Places are offsets in the description, 0 for none; a parameter has its place in its law. */
 typedef struct aspi_keyword {
   const char *name;
-  const char *unit;   /* of a number: its kind, as "length"; "": it has none */
-  double fallback;    /* the value, or the start of a fit, if none is given; SI */
-  double least, most; /* range of a number */
-  const char *text;   /* the help; NULL: a value of the keyword it is within */
+  const char *unit;     /* of a number: its kind, as "length"; "": it has none */
+  double default_value; /* the value, or the start of a fit, if none is given; SI */
+  double least, most;   /* range of a number */
+  const char *text;     /* the help; NULL: a value of the keyword it is within */
   const char *word;   /* parameters: the word in front, which several may share; "": the law's name;
                          NULL: its own name */
   const char *values; /* as a syntax shows them, a choice as "off | on"; parameters: NULL if it is
                          a number */
-  const char *standard; /* the default, as text; "" if there is none */
-  const char *within;   /* the keyword it belongs to; "": it begins a clause; NULL: a parameter */
-  const char *after;    /* keywords of which one must come before it; "": it must be first; NULL:
-                           any order */
-  size_t number;        /* place of a double */
-  size_t string;        /* place of a char * */
-  size_t choice;        /* place of a byte: the word's number among the values */
-  size_t flag;          /* place of a byte that the keyword sets to `sets` */
+  const char *default_text; /* the default, as text; "" if there is none */
+  const char *within; /* the keyword it belongs to; "": it begins a clause; NULL: a parameter */
+  const char *after;  /* keywords of which one must come before it; "": it must be first; NULL:
+                         any order */
+  size_t number;      /* place of a double */
+  size_t string;      /* place of a char * */
+  size_t choice;      /* place of a byte: the word's number among the values */
+  size_t flag;        /* place of a byte that the keyword sets to `sets` */
   uint8_t sets;
-  bool above;   /* the number must be more than `least` */
-  bool whole;   /* it must be a whole number */
-  bool may_fit; /* `asperity calibrate` can fit it */
-  bool needed;  /* it must be given within its keyword */
-  bool in_si;   /* its constants are in SI, so the caller's units must be known */
-  aspi_shown shown;
+  bool above;    /* the number must be more than `least` */
+  bool whole;    /* it must be a whole number */
+  bool fittable; /* `asperity calibrate` can fit it */
+  bool needed;   /* it must be given within its keyword */
+  bool in_si;    /* its constants are in SI, so the caller's units must be known */
+  aspi_print printed;
   unsigned needs; /* aspi_need bits */
 } aspi_keyword;
 

@@ -18,7 +18,7 @@ void aspi_least_squares_add(aspi_least_squares *fit, const double *t, double z) 
   }
 }
 
-/* By QR, which GSL does without memory of its own and without calling its error handler. */
+/* By QR: GSL's QR allocates nothing and never calls its error handler. */
 bool aspi_least_squares_solve(aspi_least_squares *fit) {
   double tau_of[ASP_TERMS_MOST], most = 0, least = INFINITY;
   gsl_matrix_view a = gsl_matrix_view_array(fit->a, fit->terms, fit->terms);

@@ -12,7 +12,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* With fewer rows than this, a line of words is no end of them, but they were part of the header.
+/* A line of words ends the rows only after at least this many; fewer rows were part of the header.
  * Longer headers are kept up to here. */
 enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
@@ -231,7 +231,7 @@ static int cut_names(aspi_table *t, const char *line, int *all, aspi_column **li
 
 /* Names from the last line above the first row, of which the fields are counted, or the last two,
  * of which the second has their units. */
-static asp_code take_names(aspi_table *t, int least, asp_error *error) {
+static asp_code parse_names(aspi_table *t, int least, asp_error *error) {
   const char *end = t->header + strlen(t->header), *line;
   for (int k = 0; k < 2 && (line = line_above(t, &end)) != NULL; k++) {
     aspi_column *list = NULL;
@@ -280,7 +280,7 @@ static asp_code open_text(aspi_table *t, int least, asp_error *error) {
     return aspi_file_fail(t->text.path, 1, error, "the file ends without column names");
   t->has_row = t->start > 0;
   code = cut(t, error);
-  return code ? code : take_names(t, least, error);
+  return code ? code : parse_names(t, least, error);
 }
 
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error) {
@@ -358,8 +358,7 @@ int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
     aspi_append(list, sizeof list, " %s", t->column[i].name);
   if (t->nameless)
     aspi_table_fail(t, error,
-                    "'%.40s' stands where a column name is expected; the line above the first "
-                    "numbers must name the columns",
+                    "no column names: the line above the first row must contain them, not '%.40s'",
                     t->count ? t->fields[0] : "");
   else
     aspi_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", t->text.path, name,

@@ -34,14 +34,14 @@ typedef struct aspi_table {
   size_t start, rows;     /* the line of the first row; of those that were taken, for the caller */
   char *header;           /* its lines, each with LF */
   bool tagged;            /* the first line begins with a tag, as in XML */
-  bool nameless, has_row; /* there are no names, they are ""; the row at hand is not taken yet */
+  bool nameless, has_row; /* the names are ""; the current row is not yet taken */
   int columns;            /* names */
   aspi_column *column;
 } aspi_table;
 
-/* Opens a table from a stream, or where that is NULL from the file `path`, and reads up to its
- * first row, which begins with `least` numbers (0: has a number anywhere) and is not taken yet.
- * NULL on error; the message names file and line. */
+/* Opens a table from a stream, or if that is NULL from the file `path`, and reads up to its first
+ * row: the first line that begins with `least` numbers (0: has a number anywhere). NULL on error;
+ * the message names file and line. */
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error);
 void aspi_table_close(aspi_table *table);
 

@@ -8,9 +8,9 @@
 
 #include <stdio.h>
 
-/* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds, or
- * UTF-16 with a byte-order mark, which becomes UTF-8, is copied to a temporary file first. `-` is
- * standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
+/* Opens a file that can be read from its beginning again and again. A pipe is copied to a temporary
+ * file first, and so is UTF-16 with a byte-order mark, which becomes UTF-8. `-` is standard input.
+ * NULL on error: ASP_EFILE, ASP_ENOMEM. */
 FILE *aspi_file_open(const char *path, asp_error *error);
 
 typedef struct aspi_text {

@@ -24,11 +24,11 @@ const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t lengt
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
 double aspi_unit_meters(const char *name, size_t length);
 
-/* Reads all of a text as a number of the kind that `kind` names: length, speed, stress,
+/* Reads a whole text as a number of a kind: length, speed, stress,
  * stress/speed, energy/area, density, mass, rate, degrees, K, 1/K, or "" for one without a unit. A
  * number alone is in the caller's units; one with a unit is converted to them, exactly if these are
- * SI and the unit is a power of ten. ASP_EARG if it is no such number; the message calls it `name`
- * and lists the units. */
+ * SI and the unit is a power of ten. ASP_EARG and a message with `name` and the units if the text
+ * is not such a number. */
 asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
                             const asp_units *units, double *value, asp_error *error);
 

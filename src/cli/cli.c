@@ -141,6 +141,8 @@ cli_call cli_parse(const cli_command *command, int argc, char **argv) {
   if (command->takes_files) {
     call.words = argv + optind;
     call.n_words = argc - optind;
+  } else if (optind < argc && !command->arguments) {
+    cli_bad_usage("asperity %s takes no arguments", command->name);
   } else if (optind < argc) {
     cli_bad_usage("%s: argument '%s' is not expected behind an option; options begin with --, and "
                   "the words that describe a wall stand before them",

@@ -16,7 +16,7 @@
 /* One option of a command. A table of them ends with a NULL name. */
 typedef struct cli_option {
   const char *name;     /* without the dashes */
-  const char *argument; /* what its value is, for the help; NULL for a flag */
+  const char *argument; /* value, for the help; NULL for a flag */
   const char *help;
   const char *value; /* the default, then what the user gave; NULL: not given. A flag: "" */
 } cli_option;
@@ -73,18 +73,17 @@ bool cli_is_set(const cli_call *call, const char *name);
 CLI_FORMAT(1, 2) _Noreturn void cli_bad_usage(const char *format, ...); /* exit 2 */
 CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 1 */
 
-/* Room for some things, all zero, and a copy of a text, to be freed; exit 1 where there is none. */
+/* Zeroed memory, and a copy of a text, to be freed; exit 1 if out of memory. */
 void *cli_allocate(size_t count, size_t size);
 char *cli_copy(const char *text);
 
-/* An array of so many things with room for one more, where every one was added by this. */
+/* See aspi_grow; exit 1 if out of memory. */
 void *cli_grow(void *array, size_t count, size_t size);
 
-/* For the library calls of a command: what the last one that failed says. */
+/* The error of the last library call that failed. */
 extern asp_error cli_error;
 
-/* Exits with that where a call was not good, or made nothing: exit 2, 1 where there is no memory
- * for it. */
+/* Exit with that error if a call failed or made nothing: status 2, or 1 if out of memory. */
 void cli_must(bool good);
 void *cli_made(void *thing);
 
@@ -122,12 +121,12 @@ size_t cli_few(const cli_option *option, double least, double most, size_t n, do
 /* Index of the value among the words of the option's argument, `own|ledger`. */
 int cli_choice(const cli_option *option);
 
-/* A line on stderr that something may not be what is wanted. */
+/* A warning on stderr. */
 CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* Written to a temporary file and renamed on close; an early exit leaves the old file. A symbolic
- * link is replaced. A device or a pipe is written to as it is, and so is the file that is standard
- * output, which "-" and NULL are, too. One file is open at a time. */
+ * link is replaced. Devices, pipes and standard output ("-" or NULL) are written directly. One file
+ * is open at a time. */
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
@@ -141,8 +140,8 @@ void cli_remove_later(char *path);
 /* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
 void cli_file_check(const char *path);
 
-/* Prints the comment line of a table: version, the command as given, and the description of the
- * wall where there is one. cli_output_open opens the file of an option and begins with it. */
+/* Prints the comment line of a table: version, command line, and the description of the wall if
+ * any. cli_output_open opens the file of an option and prints this line. */
 void cli_print_heading(FILE *out, const cli_call *call, const char *description);
 FILE *cli_output_open(const cli_call *call, const char *option, const char *description);
 

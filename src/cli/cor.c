@@ -127,7 +127,7 @@ static void add_to_sums(sums *to, const row *r) {
     aspi_running_add(&to->cor_t, r->of.cor.cor_t);
 }
 
-/* Mean and sd, empty where there are none. */
+/* Mean and sd; empty if there are none. */
 static void print_moments(FILE *out, const aspi_running *r) {
   cli_row(out, ",%.6g,%.6g", r->n > 0 ? r->mean : NAN, r->n > 1 ? aspi_running_sd(r) : NAN);
 }
@@ -213,7 +213,7 @@ static cli_list ratios(double from, double to) {
   return list;
 }
 
-/* Exits if the values of the grid of --capture are not those of a list, or do not rise. */
+/* Exits if the grid of --capture is not a rising list. */
 static void check_grid(const char *option, const cli_list *list) {
   if (list->count == 0)
     cli_bad_usage("--%s is a log-normal law; --capture takes a list", option);

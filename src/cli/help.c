@@ -23,13 +23,13 @@ static const char conventions[] =
     "wall' lists them.\n"
     "Exit status: 0 done, 1 failed, 2 bad usage or bad input.\n";
 
-/* Prints what an option means, in lines of at most WIDTH characters that begin under the first one.
+/* Prints the help of an option in lines of at most WIDTH characters, aligned with the first one.
  */
 static void print_meaning(const cli_option *option) {
   char text[600];
-  bool standard = option->argument && option->value;
-  snprintf(text, sizeof text, "%s%s%s%s", option->help, standard ? " [" : "",
-           standard ? option->value : "", standard ? "]" : "");
+  bool has_default = option->argument && option->value;
+  snprintf(text, sizeof text, "%s%s%s%s", option->help, has_default ? " [" : "",
+           has_default ? option->value : "", has_default ? "]" : "");
   const char *line = text;
   while (strlen(line) > WIDTH - LEFT - 3) {
     const char *end = line + WIDTH - LEFT - 3;
@@ -79,7 +79,7 @@ static void put_words(const char *within, int depth);
 /* A keyword, and the words within it. */
 static void put_keyword(const aspi_keyword *k, int depth) {
   printf("%*s%s %s\n%*s%s", 2 * depth, "", k->name, k->values, 2 * depth + 6, "", k->text);
-  printf(*k->standard ? " [%s]\n" : "\n", k->standard);
+  printf(*k->default_text ? " [%s]\n" : "\n", k->default_text);
   put_words(k->name, depth + 1);
 }
 
@@ -106,7 +106,8 @@ static void put_parameter(const aspi_keyword *p) {
   else
     printf(" (%g to %g%s%s): %s", p->least, p->most, *p->unit ? " " : "", p->unit, p->text);
   if (!p->values)
-    printf(isnan(p->fallback) || !*aspi_keyword_word(p) ? "\n" : " [%.10g]\n", p->fallback);
+    printf(isnan(p->default_value) || !*aspi_keyword_word(p) ? "\n" : " [%.10g]\n",
+           p->default_value);
 }
 
 /* A law with its parameters, those behind a word of their own in brackets. */

@@ -100,8 +100,8 @@ static const struct {
 
 /* ---- names and units ---- */
 
-/* The column with the longest name that a plain name begins with, -1 where there is none, and what
- * stands behind it. */
+/* The column whose name is the longest beginning of a plain name, -1 if none, and the rest of the
+ * name. */
 static int column_of(const char *name, const char **rest) {
   for (size_t length = strlen(name); length > 0; length--)
     for (int c = 0; c < SCATTER_COLUMNS && (!name[length] || name[length] == '_'); c++)
@@ -272,12 +272,13 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
     value[c] = NAN;
   for (int k = 0; k < t->count && found; k++) {
     int c = t->used[k];
-    double by = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
+    double factor = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
     if (c == OUTCOME)
       value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
     else
-      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / by, columns[c].most / by,
-                                  &value[c], t->needed[c] ? NULL : &missing, &cli_error));
+      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / factor,
+                                  columns[c].most / factor, &value[c],
+                                  t->needed[c] ? NULL : &missing, &cli_error));
     value[c] *= t->factor[c];
     value[c] = t->from_normal[c] ? 90 - value[c] : value[c];
   }

@@ -90,11 +90,15 @@ asp_code asp_description_check_bodies(const asp_description *d, asp_error *error
 asp_code asp_description_check_pair(const asp_description *d, asp_error *error) {
   if (!d->choice.law->needs_pair)
     return ASP_OK;
+  char laws[200] = "";
+  for (int i = 0; i < asp_rebound_count(); i++)
+    if (!asp_rebound_at(i)->needs_pair)
+      aspi_append(laws, sizeof laws, " %s", asp_rebound_at(i)->name);
   if (d->n_materials != 2)
     return aspi_fail(error, ASP_EARG,
-                     "materials has %d names; it must be two, of particle and wall, as 'materials "
-                     "quartz hastelloy-x', or 'rebound' a law without materials, as walton",
-                     d->n_materials);
+                     "materials needs two names (particle, wall), got %d, as 'materials quartz "
+                     "hastelloy-x'; laws without materials:%s",
+                     d->n_materials, laws);
   const asp_material *m = d->materials[0];
   if (asp_description_get(d, "yield_rate") > 0 || aspi_is_given(d, "yield_stress") ||
       m->yield_stress > 0)

@@ -6,8 +6,9 @@
 static bool is_shown(const asp_description *d, const aspi_keyword *k) {
   const uint8_t *flag = (const uint8_t *)d + k->flag;
   return (!k->flag || *flag == k->sets) &&
-         (k->shown == ASPI_ALWAYS || (k->shown == ASPI_IF_ROUGH && d->kind != ASPI_SMOOTH) ||
-          (k->shown != ASPI_NEVER && d->given & aspi_keyword_bit(k)));
+         (k->printed == ASPI_PRINT ||
+          (k->printed == ASPI_PRINT_IF_ROUGH && d->kind != ASPI_SMOOTH) ||
+          (k->printed != ASPI_PRINT_NEVER && d->given & aspi_keyword_bit(k)));
 }
 
 static void write_value(aspi_line *l, const asp_description *d, const aspi_keyword *k) {

@@ -1,4 +1,4 @@
-/* A description and what can be asked of it: its numbers and words by name.
+/* A description, and access to its numbers and words by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
@@ -23,7 +23,7 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
   d->last = "";
   d->sigma = d->r_q = d->lambda_c = NAN;
   d->friction = d->surface_energy = d->yield_stress = NAN;
-  d->seed = aspi_keyword_find("seed")->fallback;
+  d->seed = aspi_keyword_find("seed")->default_value;
   d->choice = aspi_wall_choice_smooth();
   d->choice.isotropic = d->choice.multiple = true;
   d->choice.flow.micron = 1e-6 * aspi_quantity_factor("length", &d->units);
@@ -94,7 +94,7 @@ const aspi_keyword *aspi_number_find(const asp_description *d, const char *name,
   if (i >= 0)
     return &d->choice.law->parameters[i];
   for (const aspi_keyword *k = aspi_keywords; k->name && name; k++)
-    if (k->number && k->shown != ASPI_NEVER && strcmp(k->name, name) == 0) {
+    if (k->number && k->printed != ASPI_PRINT_NEVER && strcmp(k->name, name) == 0) {
       *place = k->number;
       return k;
     }
@@ -117,7 +117,7 @@ static asp_code fail_name(const asp_description *d, const char *name, asp_error 
   for (int i = 0; i < law->n_parameters; i++)
     aspi_append(list, sizeof list, " %s", law->parameters[i].name);
   for (const aspi_keyword *k = aspi_keywords; k->name; k++)
-    if (k->number && k->shown != ASPI_NEVER && (!*k->within || aspi_is_given(d, k->name)))
+    if (k->number && k->printed != ASPI_PRINT_NEVER && (!*k->within || aspi_is_given(d, k->name)))
       aspi_append(list, sizeof list, " %s", k->name);
   snprintf(what, sizeof what, "of a wall with rebound law '%s', number", law->name);
   return aspi_fail_unknown(error, what, name ? name : "", list + 1);
@@ -137,16 +137,16 @@ asp_code asp_description_set(asp_description *d, const char *name, double value,
   if (k->within)
     aspi_set_given(d, name);
   int kept = 0;
-  for (int i = 0; i < d->n_fits; i++)
-    if (strcmp(d->fits[i], name) != 0)
-      d->fits[kept++] = d->fits[i];
-  d->n_fits = kept;
+  for (int i = 0; i < d->n_fitted; i++)
+    if (strcmp(d->fitted[i], name) != 0)
+      d->fitted[kept++] = d->fitted[i];
+  d->n_fitted = kept;
   return ASP_OK;
 }
 
 bool aspi_is_fit(const asp_description *d, const char *name) {
-  for (int i = 0; i < d->n_fits; i++)
-    if (strcmp(d->fits[i], name) == 0)
+  for (int i = 0; i < d->n_fitted; i++)
+    if (strcmp(d->fitted[i], name) == 0)
       return true;
   return false;
 }
@@ -173,8 +173,8 @@ const char *asp_description_word(const asp_description *d, const char *name) {
 
 const asp_spread_model *aspi_description_spread(const asp_description *d) {
   bool is_measured = d->kind == ASPI_PROFILE || d->kind == ASPI_MAP;
-  const char *standard = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "traced" : "visible";
-  return d->spread ? d->spread : asp_spread_find(standard, NULL);
+  const char *default_model = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "traced" : "visible";
+  return d->spread ? d->spread : asp_spread_find(default_model, NULL);
 }
 
 const asp_rebound_law *asp_description_rebound(const asp_description *d) {
@@ -211,8 +211,9 @@ asp_pair *asp_description_pair(const asp_description *d, const asp_material *par
   asp_pair *pair = asp_pair_create(particle, target, error);
   if (!pair)
     return NULL;
-  double standard = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &d->units);
-  asp_pair_set(pair, "surface_energy", d->surface_energy >= 0 ? d->surface_energy : standard, NULL);
+  double default_energy = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &d->units);
+  asp_pair_set(pair, "surface_energy", d->surface_energy >= 0 ? d->surface_energy : default_energy,
+               NULL);
   if (d->friction >= 0)
     asp_pair_set(pair, "friction", d->friction, NULL);
   if (d->yield_stress >= 0)

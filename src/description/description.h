@@ -49,12 +49,11 @@ struct asp_description {
   bool pairs_come;          /* with the particles */
   double friction, surface_energy, yield_stress;
   double seed;
-  /* True lets numbers that may be unknown be `fit`, or `fit=START` in place of START: those of the
-   * law, and of keywords with `may_fit`. Such a number has the value START, else that of its
-   * default, else it is NaN: that of the materials. It is unknown until it is set. */
-  bool may_fit;
-  const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
-  int n_fits;
+  /* If true, a number of the law or of a `fittable` keyword may be `fit` or `fit=START`. Until the
+   * fit sets it, its value is START, the default, or NaN (from the materials), in this order. */
+  bool fittable;
+  const char *fitted[ASPI_FITS_MOST]; /* names of these numbers, in order */
+  int n_fitted;
   aspi_wall_choice choice; /* without what aspi_description_choice adds */
   aspi_cor_table *cor_table;
 };
@@ -81,7 +80,7 @@ void aspi_keyword_names(const char *within, char *list, size_t size);
 asp_code aspi_keyword_check(const aspi_keyword *keyword, const char *given, double value,
                             asp_error *error);
 
-/* ---- what the words say ---- */
+/* ---- content ---- */
 
 /* An empty description: a smooth wall. */
 asp_description *aspi_description_create(const asp_units *units, asp_error *error);
@@ -96,7 +95,7 @@ const char *aspi_given_of(const asp_description *d, const char *list, int nth);
 /* True if a number is unknown. */
 bool aspi_is_fit(const asp_description *d, const char *name);
 
-/* The spread model: the one that is given, or the default of the surface. */
+/* The spread model given, or the surface's default. */
 const asp_spread_model *aspi_description_spread(const asp_description *d);
 
 /* The parts of the wall that the words name, without surface, diameters and pair. */
@@ -107,8 +106,8 @@ asp_surface *aspi_description_surface(const asp_description *d, asp_error *error
 
 /* ---- heights of a file ---- */
 
-/* Reads the file of a measured wall, if the caller has set no heights: NULL where there is nothing
- * to read. *doubt: what is doubtful about it. */
+/* Reads the file of a measured wall, unless the caller has set heights. *heights is NULL if there
+ * is nothing to read. *doubt: a warning about the file. */
 asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_error *doubt,
                            asp_error *error);
 

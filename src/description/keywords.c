@@ -1,5 +1,5 @@
-/* The words of a description, as one table: parser, canonical text, messages, help and pages are
- * made of it. Models of the tilt, laws and their parameters are records of their own.
+/* The keywords of a description in one table, which parser, canonical text, messages, help and
+ * pages read. Models, laws and their parameters have their own records.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
@@ -18,9 +18,9 @@
 #define FROM(LEAST, MOST) .least = LEAST, .most = MOST
 #define POSITIVE .most = INFINITY, .above = true
 #define SCATTER                                                                                    \
-  NUMBER("", choice.scatter), FROM(0, 2), .above = true, .may_fit = true, .fallback = 0.1
+  NUMBER("", choice.scatter), FROM(0, 2), .above = true, .fittable = true, .default_value = 0.1
 #define WORD(WITHIN, NAME, VALUES, STANDARD, TEXT)                                                 \
-  .within = WITHIN, .name = NAME, .values = VALUES, .standard = STANDARD, .text = TEXT
+  .within = WITHIN, .name = NAME, .values = VALUES, .default_text = STANDARD, .text = TEXT
 #define SETS(MEMBER, VALUE) .flag = AT(MEMBER), .sets = VALUE
 
 /* Within what, name, values, default, meaning. */
@@ -30,23 +30,23 @@ const aspi_keyword aspi_keywords[] = {
           "FILE | map FILE [lay DIRECTION]; for rq R also ra R or sq R, for lambda_c L also rdq S "
           "or rsm L [sampling LR], behind sq sdq S or sal L",
           "smooth", "the roughness of the wall"),
-     .shown = ASPI_ALWAYS},
+     .printed = ASPI_PRINT},
     {WORD("", "spread", "MODEL", "visible; traced on a measured wall, none on a smooth one",
           "the distribution of the tilt of the face that is hit"),
-     .shown = ASPI_IF_ROUGH, .needs = ASPI_ROUGH},
+     .printed = ASPI_PRINT_IF_ROUGH, .needs = ASPI_ROUGH},
     {WORD("", "rebound", "LAW [PARAMETER VALUE]...", "bons", "the velocity after a hit"),
-     .shown = ASPI_ALWAYS, .may_fit = true},
+     .printed = ASPI_PRINT, .fittable = true},
     {WORD("", "materials", "NAME...", "",
           "materials of particles and walls: in a script one name for each atom type, in a command "
           "one for the particles and one for the wall"),
      .in_si = true, .needs = ASPI_PAIR},
     {WORD("", "friction", "F", "0.3", "coefficient of friction of all pairs of materials"),
-     NUMBER("", friction), FROM(0, INFINITY), .may_fit = true, .fallback = NAN,
+     NUMBER("", friction), FROM(0, INFINITY), .fittable = true, .default_value = NAN,
      .needs = ASPI_NO_MU},
     {WORD("", "surface_energy", "G", "0.8 J/m2",
           "surface energy of all pairs of materials, half of their work of adhesion"),
-     NUMBER("energy/area", surface_energy), FROM(0, INFINITY), .may_fit = true, .fallback = NAN,
-     .needs = ASPI_PAIR | ASPI_STICKS},
+     NUMBER("energy/area", surface_energy), FROM(0, INFINITY), .fittable = true,
+     .default_value = NAN, .needs = ASPI_PAIR | ASPI_STICKS},
     {WORD("", "adhesion", "F", "1; for 'remove' by the size",
           "median of the share of a smooth contact's adhesion with which grains stick, and with "
           "which "
@@ -54,47 +54,47 @@ const aspi_keyword aspi_keywords[] = {
      NUMBER("", choice.flow.adhesion), FROM(0, 1), .above = true, .in_si = true,
      .needs = ASPI_PAIR | ASPI_STICKS},
     {WORD("", "yield_stress", "Y", "the material's", "yield stress of all particles"),
-     NUMBER("stress", yield_stress), FROM(0, INFINITY), .may_fit = true, .fallback = NAN,
+     NUMBER("stress", yield_stress), FROM(0, INFINITY), .fittable = true, .default_value = NAN,
      .needs = ASPI_PAIR | ASPI_NO_RATE},
     {WORD("", "deposit", "freeze | delete | off", "freeze",
           "what the wall does with particles that stick; off: nothing sticks"),
-     .shown = ASPI_ALWAYS, .choice = AT(deposit)},
+     .printed = ASPI_PRINT, .choice = AT(deposit)},
     {WORD("", "grain", "sphere | lever S", "sphere", "the shape of the grains")},
     {WORD("", "erosion", "LAW [PARAMETER VALUE]... [density RHO] [face mean | tilted]", "none",
           "the mass that impacts wear off the wall"),
      .in_si = true},
     {WORD("", "seed", "N", "1", "seed of the random draws"), NUMBER("", seed),
-     FROM(0, 4294967295.0), .fallback = 1, .whole = true, .shown = ASPI_ALWAYS},
+     FROM(0, 4294967295.0), .default_value = 1, .whole = true, .printed = ASPI_PRINT},
     {WORD("surface", "smooth", "", "", NULL), .after = "", SETS(kind, ASPI_SMOOTH),
-     .shown = ASPI_ALWAYS},
+     .printed = ASPI_PRINT},
     {WORD("surface", "sigma", "ANGLE", "", "atan of the rms slope, for particles of any size"),
-     .after = "", NUMBER("degrees", sigma), FROM(0.001, 54), .may_fit = true, .fallback = 5,
+     .after = "", NUMBER("degrees", sigma), FROM(0.001, 54), .fittable = true, .default_value = 5,
      SETS(kind, ASPI_SIGMA)},
     {WORD("surface", "rq", "R", "", "rms height"), .after = "", NUMBER("length", r_q), POSITIVE,
-     .may_fit = true, SETS(kind, ASPI_GAUSSIAN)},
+     .fittable = true, SETS(kind, ASPI_GAUSSIAN)},
     {WORD("surface", "lambda_c", "L [L_along]", "",
           "correlation length, at which the autocorrelation is 1/e; with a lay the one across it, "
-          "then the one along it; behind sigma, that of the faces (as long as the particle)"),
-     .after = "rq ra sq sigma", NUMBER("length", lambda_c), POSITIVE, .may_fit = true},
+          "then the one along it; with sigma: sets the face length (default: particle diameter)"),
+     .after = "rq ra sq sigma", NUMBER("length", lambda_c), POSITIVE, .fittable = true},
     {WORD("surface", "ra", "R", "", "mean absolute height: R_q = 1.2533 R_a"), .after = "",
-     NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .shown = ASPI_NEVER},
+     NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "sq", "R", "", "rms height of an area: the same as rq"), .after = "",
-     NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .shown = ASPI_NEVER},
+     NUMBER("length", r_q), POSITIVE, SETS(kind, ASPI_GAUSSIAN), .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "rdq", "S", "",
           "rms slope of a profile, or its angle with a unit: lambda_c = 1.4142 R_q/R_dq"),
-     .after = "rq ra", NUMBER("", spacing), POSITIVE, .shown = ASPI_NEVER},
+     .after = "rq ra", NUMBER("", spacing), POSITIVE, .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "rsm", "L [sampling LR]", "",
           "mean width of elements by ISO 4287; depends on the sampling length, so that rdq is "
           "better"),
-     .after = "rq ra", NUMBER("length", spacing), POSITIVE, .shown = ASPI_NEVER},
+     .after = "rq ra", NUMBER("length", spacing), POSITIVE, .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "sampling", "LR", "", "sampling length of rsm: the cut-off"), .after = "rsm",
-     NUMBER("length", sampling), POSITIVE, .shown = ASPI_NEVER},
+     NUMBER("length", sampling), POSITIVE, .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "sdq", "S", "",
           "rms slope of an area, or its angle with a unit: lambda_c = 2 S_q/S_dq"),
-     .after = "sq", NUMBER("", spacing), POSITIVE, .shown = ASPI_NEVER},
+     .after = "sq", NUMBER("", spacing), POSITIVE, .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "sal", "L", "",
           "length at which the autocorrelation is 0.2: lambda_c = 0.7882 S_al"),
-     .after = "sq", NUMBER("length", spacing), POSITIVE, .shown = ASPI_NEVER},
+     .after = "sq", NUMBER("length", spacing), POSITIVE, .printed = ASPI_PRINT_NEVER},
     {WORD("surface", "profile", "FILE", "", "a measured profile"), .after = "", .string = AT(file),
      SETS(kind, ASPI_PROFILE)},
     {WORD("surface", "map", "FILE", "", "a measured map"), .after = "", .string = AT(file),
@@ -106,23 +106,23 @@ const aspi_keyword aspi_keywords[] = {
           "number of diameters for which a measured wall is prepared"),
      NUMBER("", bins), FROM(1, ASP_BINS_MAX), .whole = true, .needs = ASPI_SIZES},
     {WORD("spread", "plane", "", "", "faces tilt in the plane of incidence only"),
-     SETS(choice.isotropic, false), .shown = ASPI_ALWAYS},
+     SETS(choice.isotropic, false), .printed = ASPI_PRINT},
     {WORD("spread", "isotropic", "", "yes", "faces tilt all around"), SETS(choice.isotropic, true),
-     .shown = ASPI_ALWAYS},
+     .printed = ASPI_PRINT},
     {WORD("spread", "collisions", "single | multiple", "multiple",
           "single: a rebound into the wall is drawn again; multiple: it hits the next face"),
-     .choice = AT(choice.multiple), .shown = ASPI_ALWAYS},
+     .choice = AT(choice.multiple), .printed = ASPI_PRINT},
     {WORD("erosion", "density", "RHO", "that of the wall's material", "density of the wall"),
      NUMBER("density", choice.erosion.density), POSITIVE},
     {WORD("erosion", "face", "mean | tilted", "mean",
           "take the impact angle on the mean wall, or on each face that is hit"),
-     .choice = AT(choice.erosion.tilted), .shown = ASPI_ALWAYS},
-    {WORD("grain", "sphere", "", "", NULL), .after = "", .shown = ASPI_NEVER},
+     .choice = AT(choice.erosion.tilted), .printed = ASPI_PRINT},
+    {WORD("grain", "sphere", "", "", NULL), .after = "", .printed = ASPI_PRINT_NEVER},
     {WORD("grain", "lever", "S", "",
           "an equivalent sphere whose center of mass is off by N(0, S d_p) per axis, drawn anew "
           "at each impact"),
-     .after = "", NUMBER("", choice.lever), FROM(0, 0.5), .above = true, .may_fit = true,
-     .fallback = 0.05},
+     .after = "", NUMBER("", choice.lever), FROM(0, 0.5), .above = true, .fittable = true,
+     .default_value = 0.05},
     {WORD("yield_stress", "scatter", "S", "0",
           "sd of the logarithm of the yield stress, which each grain has of its own; its median is "
           "the "

@@ -59,7 +59,7 @@ static asp_code read_parameter(aspi_words *r, const aspi_keyword *k, const aspi_
                                double *value) {
   aspi_keyword number = *p;
   int index;
-  number.may_fit = k->may_fit;
+  number.fittable = k->fittable;
   if (!p->values)
     return aspi_words_number(r, &number, value);
   asp_code code = aspi_words_choice(r, p, &index);
@@ -83,7 +83,7 @@ bool aspi_law_more(aspi_words *r, const aspi_keyword *k, asp_code *code) {
   unsigned *given = is_erosion(k) ? &r->d->of_erosion : &r->d->of_law;
   for (int i = 0; i < l.count; i++) {
     const char *keyword = aspi_keyword_word(&l.parameters[i]);
-    if (!*keyword || !aspi_words_take(r, keyword))
+    if (!*keyword || !aspi_words_accept(r, keyword))
       continue;
     *code = *given >> i & 1 ? aspi_fail(r->error, ASP_EARG, "'%s' is given twice", keyword)
                             : read_group(r, k, keyword);
@@ -134,9 +134,9 @@ asp_code aspi_erosion_finish(aspi_words *r) {
 }
 
 static bool differs(const asp_description *d, const aspi_keyword *p, double value) {
-  double standard = p->fallback * aspi_quantity_factor(p->unit, &d->units);
-  return value < standard || value > standard || (isnan(standard) && !isnan(value)) ||
-         aspi_is_fit(d, p->name);
+  double default_value = p->default_value * aspi_quantity_factor(p->unit, &d->units);
+  return value < default_value || value > default_value ||
+         (isnan(default_value) && !isnan(value)) || aspi_is_fit(d, p->name);
 }
 
 /* Parameters behind one word are left out if all have their defaults. */

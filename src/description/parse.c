@@ -11,12 +11,12 @@ static bool may_be_next(const aspi_words *r, const aspi_keyword *k, bool first) 
   return !k->after || (*k->after ? aspi_is_given(r->d, k->after) : first);
 }
 
-/* The keyword within one that comes next, which is taken; NULL: there is none. */
+/* Accepts the next word if it is a keyword within `of`; NULL: it is not. */
 static const aspi_keyword *take_keyword(aspi_words *r, const aspi_keyword *of, bool first,
                                         asp_code *code) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, of->name) != 0 || !may_be_next(r, k, first) ||
-        !aspi_words_take(r, k->name))
+        !aspi_words_accept(r, k->name))
       continue;
     if (aspi_is_given(r->d, k->name))
       *code = aspi_fail(r->error, ASP_EARG, "'%s' is given twice", k->name);
@@ -60,7 +60,7 @@ static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
                : ASP_EARG;
 }
 
-/* A keyword whose name is taken: its value, and the keywords within it. */
+/* Reads the value of a keyword, and the keywords within it. */
 static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
   r->d->given |= aspi_keyword_bit(k);
   asp_code code = read_value(r, k);
@@ -79,8 +79,8 @@ static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
   return !code && form->finish ? form->finish(r) : code;
 }
 
-/* Says where the word belongs, or lists those allowed at the start of a clause: those of all
- * clauses, of the last one, and the caller's. */
+/* Reports where the word belongs, or lists the words allowed here: keywords that begin a clause,
+ * words of the last clause, and the caller's. */
 static asp_code fail_keyword(const aspi_words *r, const char *name) {
   if (aspi_words_misplaced(r, name))
     return ASP_ENAME;
@@ -167,7 +167,7 @@ bool aspi_description_offer(aspi_offers *offers, int count, const char *const *w
   asp_description *d = aspi_description_create(NULL, &error);
   if (!d)
     return false;
-  d->may_fit = true;
+  d->fittable = true;
   d->offers = offers;
   asp_code code = ASP_OK;
   for (int next = 0, taken; next < count && !code; next += taken)

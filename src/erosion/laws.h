@@ -15,7 +15,7 @@ typedef struct aspi_erosion_law {
   const char *source;
   bool is_volume; /* the law gives a volume of the wall, else a mass */
   int n_parameters;
-  const aspi_keyword *parameters; /* fallback NaN: it follows from others; see the law */
+  const aspi_keyword *parameters; /* default_value NaN: it follows from others; see the law */
   /* Parameters and all that follows in SI: m^3 or kg of the wall per kg of the particle, at the
    * speed v, under the impact angle of this sine and cosine. */
   double (*rate)(const double *parameters, double v, double sine, double cosine, double d_p);
@@ -44,8 +44,8 @@ typedef struct aspi_erosion {
 /* Takes a law and its defaults, as if they were given. */
 void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const asp_units *units);
 
-/* Mass of the wall per mass of the particle that one hit wears off; in the caller's units.
- * wall_density: that of the pair's material, 0 where there is none. */
+/* Eroded wall mass per particle mass of one hit, in the caller's units. wall_density: of the pair's
+ * material; 0: unknown. */
 double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, double v, double sine,
                           double cosine, double d_p);
 

@@ -48,8 +48,8 @@ static const struct {
 /* (a H)^-b of each material of the wall. */
 static const double walls[] = {3, 10, 1000};
 
-static double or (double given, double standard) {
-  return isnan(given) ? standard : given;
+static double or (double given, double default_value) {
+  return isnan(given) ? default_value : given;
 }
 
 static double rate(const double *p, double v, double sine, double cosine, double d_p) {

@@ -1,7 +1,8 @@
 /* Measured walls as text: positions and heights of a profile in columns, or heights alone; a map as
  * a matrix of heights, a line a row, or as lines of x, y, z on a grid. Units and spacing stand in
  * names, in a line of units, or in the header (`Spacing: 0.5 um`, as instruments, SPIP and Gwyddion
- * write it). What the file does not say is asked for; numbers that are left out are warned of.
+ * write it). If the file lacks unit or spacing, the error asks for it; a warning counts numbers
+ * left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -16,7 +17,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* With fewer rows than this, a line of another kind is no end of them. */
+/* A line of another kind ends the rows only after at least this many. */
 enum { ROWS_LEAST = 3 };
 
 /* Axes of a matrix are even but for this part of their step. */
@@ -270,8 +271,8 @@ static asp_code check_count(const reader *r, asp_error *error) {
   return ASP_OK;
 }
 
-/* Reads the next row. A line of another kind is the end of the rows, unless there are rows behind
- * it and the header does not say that all were read. */
+/* Reads the next row. A line of another kind ends the rows, unless more rows follow and the header
+ * does not state that all were read. */
 static asp_code next_row(reader *r, bool *found, asp_error *error) {
   aspi_table *t = r->table;
   char first_shown[48], shown[48];
@@ -289,10 +290,10 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
     }
     bool digits = show(t, other ? shown : first_shown, sizeof shown);
     if (!full && (other ? good && first : first || t->rows < ROWS_LEAST))
-      return aspi_file_fail(t->text.path, other ? other : t->text.line, error,
-                            "'%s' where numbers are expected (or a height that is missing: nan, "
-                            "bad, --- or nothing)",
-                            first_shown);
+      return aspi_file_fail(
+          t->text.path, other ? other : t->text.line, error,
+          "'%s' is not a number; a missing height is written nan, bad, ---, or left empty",
+          first_shown);
     other = other ? other : t->text.line;
     r->left_line = r->left == 0 ? t->text.line : r->left_line;
     r->left += digits;
@@ -365,7 +366,7 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   return code;
 }
 
-/* Numbers above a single column that count what is below them are no heights. */
+/* Counts above a single column are not heights. */
 static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
   size_t skip = 0;
   for (size_t i = 0; i < 2 && i + ROWS_LEAST < p->count && skip == 0; i++)
@@ -396,7 +397,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
         aspi_points_precision(points, r->table->fields[at[k]]);
       }
     double z = height_at(r, at[Z], raw);
-    code = aspi_points_add(points, (aspi_point){position[0], position[1], z, r->table->text.line},
+    code = aspi_points_add(points, (aspi_xyz){position[0], position[1], z, r->table->text.line},
                            error);
   }
   if (!code && r->due == 1)

@@ -55,16 +55,16 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
                        const aspi_profile_options *options, aspi_profile_report *report,
                        asp_error *error);
 
-/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
- * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
- * unit. Of a map, the larger step, the shorter side and lambda_2. */
+/* ASP_ERANGE and a message if a measured wall resolves too little for spheres of diameter d_p:
+ * under 10 points per sphere, or a wall under 20 correlation lengths lambda long; all lengths in
+ * one unit. For a map use the larger step, the shorter side and lambda_2. */
 asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
                              asp_error *error);
 
 /* ---- inside the room ---- */
 
-/* Heights as a file has them, row by row; a profile is one row. NAN where a height is bad or
- * missing. Memory grows with what is read, so that a header's counts alone allocate nothing. */
+/* Heights of a file, row by row; a profile is one row. NAN: bad or missing. Memory grows as heights
+ * are read, so false counts in a header allocate nothing. */
 typedef struct aspi_raw {
   const char *path; /* for messages */
   double *z;        /* m */
@@ -82,7 +82,7 @@ asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
 
 size_t aspi_raw_count_bad(const aspi_raw *raw);
 
-/* The least and the greatest good height; *least > *most where there is none. */
+/* The least and the greatest good height; *least > *most if there is none. */
 void aspi_raw_range(const aspi_raw *raw, double *least, double *most);
 
 /* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the text.

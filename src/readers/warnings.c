@@ -5,6 +5,7 @@
 #include "readers/read.h"
 #include "base/error.h"
 #include "base/tolerances.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -15,7 +16,7 @@
 static const double known[] = {999,   999.9, 9999,  9999.9, 99999, 999999,
                                32767, 32768, 65535, 1e10,   1e30,  1e38};
 
-/* A mark is suspect where it lies this many times the range of all others outside of it. */
+/* A height this many ranges of all others away from them may be a mark. */
 #define OFF 10
 
 static bool is_known(double height) {
@@ -66,10 +67,8 @@ enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 #define CUT_NEXT 1e-2
 #define CUT_STEPS 3.5
 
-/* Below this many points per particle a measured wall resolves little, and also if it is shorter
- * than this many correlation lengths. */
+/* A measured wall with fewer points per particle resolves little. */
 #define POINTS_PER_PARTICLE 10.0
-#define LENGTH_LEAST 20.0
 
 /* Adds a height to those that are known already; false where there are too many. */
 static bool add_level(double *level, size_t *count, double z) {
@@ -151,11 +150,12 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
                 "a particle of d_p %g covers %.2g points of the measured wall; under %g the noise "
                 "and the rounding of heights pass for roughness",
                 d_p, d_p / spacing, POINTS_PER_PARTICLE);
-  if (!(length >= LENGTH_LEAST * lambda))
-    aspi_append(doubt, sizeof doubt,
-                "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
-                "carry a large sampling error; if it is bowed, take the bow out (asperity surface "
-                "--form 2 --save FILE)",
-                *doubt ? "; " : "", length / lambda, LENGTH_LEAST);
+  if (!(length >= ASPI_LENGTHS_LEAST * lambda))
+    aspi_append(
+        doubt, sizeof doubt,
+        "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
+        "carry a large sampling error; for a curved part, remove the form (asperity surface "
+        "--form 2 --save FILE)",
+        *doubt ? "; " : "", length / lambda, ASPI_LENGTHS_LEAST);
   return *doubt ? aspi_fail(error, ASP_ERANGE, "%s", doubt) : ASP_OK;
 }

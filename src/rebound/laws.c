@@ -45,7 +45,7 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name) {
 
 asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,
                                    asp_error *error) {
-  if (!law->gives_way || !law->gives_way(parameters))
+  if (!law->is_compliant || !law->is_compliant(parameters))
     return ASP_OK;
   return aspi_fail(error, ASP_EARG,
                    "rebound law '%s' acts on bodies and eccentric grains with BETA0 0 and without "

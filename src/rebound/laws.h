@@ -1,5 +1,5 @@
-/* The list of the rebound laws, and what they share. A new law is one file that defines its record,
- * and one line here.
+/* The list of the rebound laws, and their record. To add a law, write one file with its record and
+ * add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_LAWS_H
@@ -64,14 +64,14 @@ struct asp_rebound_law {
   int n_parameters;
   const aspi_keyword *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
-  /* The share of the yield stress that the temperature of the parameters leaves; NULL: all of it.
+  /* Yield stress at the parameters' temperature over the cold one; NULL: 1.
    */
   double (*softening)(const double *parameters);
-  /* True if it draws a scatter of its own with these parameters; NULL: never. */
+  /* True if the law draws scatter itself with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
   /* True if its contact gives way along the face with these parameters, which is not worked out for
    * bodies; NULL: never. */
-  bool (*gives_way)(const double *parameters);
+  bool (*is_compliant)(const double *parameters);
   /* True if it turns the particle with these parameters; NULL: never. */
   bool (*spins)(const double *parameters);
 };

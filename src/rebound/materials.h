@@ -35,9 +35,8 @@ typedef struct aspi_materials aspi_materials;
 aspi_materials *aspi_materials_read(const char *path, asp_error *error);
 void aspi_materials_free(aspi_materials *materials);
 
-/* The material of that name, in upper or lower case: of your own (NULL: none), which go before
- * presets of the same name, or of the presets. NULL and a message that lists the names where there
- * is none, or one that says that your own file has it twice. */
+/* Finds a material by name, in upper or lower case: first among your own (NULL: none), then among
+ * the presets. NULL and a message if there is none, or if your own file has the name twice. */
 const asp_material *aspi_materials_find(const aspi_materials *own, const char *name,
                                         asp_error *error);
 

@@ -33,7 +33,7 @@ asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall
     return NULL;
   double modulus = 1 / (compliance(particle) + compliance(wall));
   if (!(modulus > 0 && isfinite(modulus))) {
-    aspi_fail(error, ASP_EARG, "Young's moduli are %g and %g; their composite is no number",
+    aspi_fail(error, ASP_EARG, "Young's moduli %g and %g give no finite composite modulus",
               particle->youngs_modulus, wall->youngs_modulus);
     return NULL;
   }

@@ -12,8 +12,8 @@ typedef struct aspi_flow {
   double u_tau;            /* friction velocity; 0: that of the particle counts alone */
   double density;          /* of the gas */
   double viscosity;        /* of the gas, kinematic */
-  double adhesion, spread; /* median and geometric sd of the share of smooth contact; median 0:
-                              both by the size, and all of it at the arrival */
+  double adhesion, spread; /* median and geometric sd of the share of a smooth contact's adhesion;
+                              median 0: both by the size, and full adhesion at the arrival */
   double micron;           /* in the units of the lengths */
 } aspi_flow;
 
@@ -23,8 +23,8 @@ double aspi_flow_adhesion(const aspi_flow *flow, double d_p);
 /* The grain's own share of smooth contact, by its key. */
 double aspi_flow_share(const aspi_flow *flow, double d_p, const asp_key *key);
 
-/* The rate at which the flow takes away a deposit that has this share; 0: there is no flow, or
- * nothing is known of the adhesion. */
+/* The rate at which the flow removes a deposit with this share of adhesion; 0: no flow, or unknown
+ * adhesion. */
 double aspi_flow_rate(const aspi_flow *flow, const asp_particle *particle, double share);
 
 /* The rate at which it takes a deposit away, and when the deposit goes: see asp_wall_removal. */

@@ -73,7 +73,7 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   return (aspi_bounce){p[E] * n1, 0, fmax(0, rub), p[MU]};
 }
 
-static bool gives_way(const double *p) {
+static bool is_compliant(const double *p) {
   return p[BETA0] > 0 || p[COMPLIANCE] > 0;
 }
 
@@ -90,5 +90,5 @@ const asp_rebound_law aspi_rebound_walton = {
     .parameters = parameters,
     .rebound = rebound,
     .spins = spins,
-    .gives_way = gives_way,
+    .is_compliant = is_compliant,
 };

@@ -1,9 +1,9 @@
 /* Flights over a dilated wall: the center of the particle flies straight. A flight skips blocks of
  * cells whose maximum lies below it, in growing steps while nothing is in reach.
  *
- * A map that does not repeat ends at its edges. A flight that leaves there goes on at the other
- * edge, shifted along it to a place that lies below the flight: statistics and lay of the wall stay
- * as they are, which a mirror image would turn.
+ * A map that does not repeat ends at its edges. A flight that leaves there continues at the
+ * opposite edge, shifted along it to a place below the flight. This keeps statistics and lay, which
+ * a mirror image would turn.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/flight.h"
@@ -342,7 +342,7 @@ typedef struct walk {
   int axis;             /* along which the flight leaves the block */
   ptrdiff_t end[2][2];  /* first and behind the last cell of the block */
   double last;          /* the time when it leaves */
-  double most;          /* a time when it has left the wall, or is below it */
+  double most;          /* upper bound of the time of flight */
 } walk;
 
 /* Looks for the end of the block around the cell. */
@@ -360,7 +360,7 @@ static void find_end(const aspi_field *f, walk *w) {
   w->last = last > w->t ? last : w->t;
 }
 
-/* Enters the next block; a larger one if it is in another block of the next level. */
+/* Move to the next block; go up one level when crossing a block of that level. */
 static void leave(const aspi_field *f, walk *w) {
   int a = w->axis, b = !a;
   int larger = 2 * w->level + 2;
@@ -386,8 +386,8 @@ static void land(const aspi_field *f, const walk *w, const cell *c, double t, co
   gradient_at(f, c, u, v, way, gradient);
 }
 
-/* True if the flight hits the surface of its cell, or has gone under it, also where it flies down
- * so steeply into the face that it starts from that it never leaves it. clear: it has been over
+/* True if the flight hits the surface of its cell or has gone under it. This includes flights that
+ * enter the face they start from. clear: it has been over
  * the surface since it started; under: cells that it has left below the surface until then. */
 static bool hits(const aspi_field *f, const walk *w, const double way[3], bool *clear, int *under,
                  aspi_spot *spot, double gradient[2]) {

@@ -6,8 +6,8 @@
 
 #include "asperity_internal.h"
 
-/* Maxima over blocks of cells, so that a flight need not look at each cell: level k has one for
- * each block of 4^k x 4^k cells. Those of a tile of 4 x 4 blocks stand together. */
+/* Maxima over blocks of cells, so that a flight can skip cells: level k has one maximum per block
+ * of 4^k x 4^k cells. A tile of 4 x 4 blocks is contiguous in memory. */
 typedef struct aspi_tops {
   ptrdiff_t across, tiles; /* number of tiles along x, and of all */
   float *most;

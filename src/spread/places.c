@@ -15,11 +15,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Most places of an index: with four times as many, elastic particles leave a wall alike. */
+/* Most places of an index. Four times as many change nothing for elastic particles. */
 enum { PLACES_MOST = 32768 };
 
-/* A standard deviation of the slope counts as this many of the height, or of the curvature. With a
- * slope that is off by as much as the height, too many particles leave at grazing angles. */
+/* Weight of the slope against height and curvature, all in standard deviations. With weight 1 too
+ * many particles leave at grazing angles. */
 #define SLOPE_COUNTS 8
 
 /* Curvatures are of places this share of the length of the row's waves apart. */

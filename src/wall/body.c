@@ -32,13 +32,13 @@ typedef struct inverse_mass {
   double a, b, m, am, bm;
 } inverse_mass;
 
-typedef struct path {
+typedef struct lever_path {
   inverse_mass k;
   double friction, e2;
   double u_a, u_b, u_m; /* velocity of the point */
   double j_a, j_b, p;   /* impulse so far */
   double work, least;   /* of the normal impulse so far, and its least value */
-} path;
+} lever_path;
 
 vec aspi_body_turn(const asp_body *body, vec arm, vec impulse) {
   const double *i = body->inverse_inertia;
@@ -54,7 +54,7 @@ vec aspi_body_kick(const asp_body *body, vec arm, vec impulse) {
 
 /* The normal impulse from here to the end of restitution, at the rate du_m/dp; INFINITY where the
  * point does not come to it. */
-static double to_end(const path *at, double rate) {
+static double to_end(const lever_path *at, double rate) {
   double before = 0, u = at->u_m, work = at->work, least = at->least;
   if (u < 0) {
     if (!(rate > 0))
@@ -72,7 +72,7 @@ static double to_end(const path *at, double rate) {
 
 /* One stretch with friction against (s_a, s_b), of the normal impulse dp or less; true at the end
  * of restitution. */
-static bool stretch(path *at, double s_a, double s_b, double dp) {
+static bool stretch(lever_path *at, double s_a, double s_b, double dp) {
   const inverse_mass *k = &at->k;
   double f_a = -at->friction * s_a, f_b = -at->friction * s_b;
   double rate = k->m + k->am * f_a + k->bm * f_b, end = to_end(at, rate), u_m = at->u_m;
@@ -92,7 +92,7 @@ static bool stretch(path *at, double s_a, double s_b, double dp) {
 }
 
 /* Sliding until it stops; true at the end of restitution. */
-static bool slide(path *at) {
+static bool slide(lever_path *at) {
   const inverse_mass *k = &at->k;
   double mu = at->friction, first = hypot(at->u_a, at->u_b);
   double most = hypot(k->am, k->bm) + mu * fabs(k->a - k->b); /* of the turn */
@@ -123,7 +123,7 @@ static bool slide(path *at) {
 
 /* The rest, of a point that does not slide: it sticks, with the friction that holds it, or slides
  * off in the direction in which it keeps sliding, (mu K_t + lambda) s = K_tm. */
-static void stick(path *at) {
+static void stick(lever_path *at) {
   const inverse_mass *k = &at->k;
   double mu = at->friction, lambda = 0, most = hypot(k->am, k->bm);
   if (hypot(k->am / k->a, k->bm / k->b) > mu) {
@@ -152,16 +152,16 @@ vec aspi_body_impulse(const asp_body *body, vec arm, vec m, vec u, double e, dou
   vec a, b;
   principal(body, arm, m, &a, &b);
   vec k = aspi_body_kick(body, arm, m);
-  path at = {.k = {.a = dot(a, aspi_body_kick(body, arm, a)),
-                   .b = dot(b, aspi_body_kick(body, arm, b)),
-                   .m = dot(m, k),
-                   .am = dot(a, k),
-                   .bm = dot(b, k)},
-             .friction = friction,
-             .e2 = e * e,
-             .u_a = dot(u, a),
-             .u_b = dot(u, b),
-             .u_m = dot(u, m)};
+  lever_path at = {.k = {.a = dot(a, aspi_body_kick(body, arm, a)),
+                         .b = dot(b, aspi_body_kick(body, arm, b)),
+                         .m = dot(m, k),
+                         .am = dot(a, k),
+                         .bm = dot(b, k)},
+                   .friction = friction,
+                   .e2 = e * e,
+                   .u_a = dot(u, a),
+                   .u_b = dot(u, b),
+                   .u_m = dot(u, m)};
   if (!(friction > 0))
     stretch(&at, 0, 0, INFINITY);
   else if (!slide(&at))

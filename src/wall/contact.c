@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* The particle keeps its velocity: without a pair that the law needs, and where that is no number.
+/* The particle keeps its velocity: the law lacks its pair, or the velocity is not finite.
  */
 static void pass(const asp_particle *particle, const double v1[3], asp_impact *impact) {
   *impact = (asp_impact){.outcome = ASP_REBOUND};
@@ -25,8 +25,8 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
   vec turning = cross(n, omega), other[2];
   double rate = sqrt(dot(turning, turning)), delta = 0;
   turning = rate > 0 ? scaled(turning, 1 / rate) : across(n);
-  aspi_view view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
-  while (!aspi_spread_draw(wall->upward, &view, stream, &delta))
+  aspi_spread_input view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
+  while (!aspi_spread_draw(wall->rising, &view, stream, &delta))
     ;
   other[0] = plus(scaled(n, aspi_stream_normal(stream)), -tan(delta), turning);
   return scaled(plus(other[0], aspi_stream_normal(stream), cross(n, turning)), sd);
@@ -148,7 +148,7 @@ double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_p
   return most;
 }
 
-/* ASP_ERANGE where an impact on another wall cannot be told from those on this one. */
+/* ASP_ERANGE if impacts on this wall say too little about another one. */
 static asp_code check_steeper(const asp_wall *wall, const asp_particle *particle, const double n[3],
                               const aspi_ratios *ratios, asp_error *error) {
   for (size_t k = 0; k < ratios->n; k++) {

@@ -49,7 +49,7 @@ static void choose_direction(const aspi_roughness *rough, frame *f, aspi_stream 
 
 /* Local roughness at this incidence: the view of the spread models, and the slopes. */
 typedef struct incidence {
-  aspi_view view;
+  aspi_spread_input view;
   aspi_slopes_along slopes;
 } incidence;
 
@@ -66,14 +66,14 @@ static incidence incidence_at(const aspi_roughness *rough, aspi_heading heading,
     if (!wall->spread->geometry)
       slope *= fabs(rough->shrink - 1) > 0 ? aspi_grazing(a, out.slopes.kappa) : across;
   }
-  out.view = (aspi_view){.slope = slope,
-                         .sigma = atan(slope),
-                         .alpha1 = alpha1,
-                         .d_p = rough->particle->d_p,
-                         .data = wall->data,
-                         .kappa = out.slopes.kappa,
-                         .phi_r = out.slopes.phi_r,
-                         .has_azimuth = aspi_roughness_has_lay(rough)};
+  out.view = (aspi_spread_input){.slope = slope,
+                                 .sigma = atan(slope),
+                                 .alpha1 = alpha1,
+                                 .d_p = rough->particle->d_p,
+                                 .data = wall->data,
+                                 .kappa = out.slopes.kappa,
+                                 .phi_r = out.slopes.phi_r,
+                                 .has_azimuth = aspi_roughness_has_lay(rough)};
   if (out.view.has_azimuth)
     out.view.azimuth = -atan2(heading.sine, heading.cosine);
   return out;
@@ -86,7 +86,7 @@ static face face_at(const asp_wall *wall, const aspi_slopes_along *slopes, doubl
   double sine = sin(delta), cosine = cos(delta);
   if (!wall->isotropic)
     return (face){{-sine, 0, cosine}, delta, 0};
-  double q = wall->draws_q && path
+  double q = wall->has_cross_slope && path
                  ? path->q
                  : slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
          side = q * cosine;
@@ -199,7 +199,7 @@ static bool walk_escapes(flight *fly, double rise, double slope) {
  * the density is divided by the share of the others; most models have none of these. */
 static double log_face(const asp_wall *wall, const incidence *at, const face *on) {
   const asp_spread_model *model =
-      at->view.alpha1 < 0 && !wall->spread->upward ? wall->upward : wall->spread;
+      at->view.alpha1 < 0 && !wall->spread->covers_rising ? wall->rising : wall->spread;
   double tilt = log(model->density(&at->view, on->delta)) -
                 log1p(-model->distribution(&at->view, -at->view.alpha1));
   if (!wall->isotropic)
@@ -269,12 +269,43 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
     *gone = !drawn;
     return drawn;
   }
-  bool borrows = fly->now.view.alpha1 < 0 && !model->upward;
-  return aspi_spread_draw(borrows ? wall->upward : model, &fly->now.view, fly->stream, delta);
+  bool borrows = fly->now.view.alpha1 < 0 && !model->covers_rising;
+  return aspi_spread_draw(borrows ? wall->rising : model, &fly->now.view, fly->stream, delta);
 }
 
-/* Hit after hit, until the particle leaves; `now` is at first the frame of v1. Of single hits, a
- * face that would send the particle into the wall is drawn again. */
+/* Turns the flight to the next face, after a hit that gave the velocity v2: `local` in (t, b, n).
+ */
+static void turn_flight(const aspi_roughness *rough, vec v2, vec local, frame *now, flight *fly,
+                        aspi_path *path) {
+  frame next = frame_of(v2, now->n);
+  if (has_direction(&next) && dot(next.along, now->along) < 0)
+    path->back = !path->back;
+  path->turn = atan2(local.y, local.x);
+  *now = next;
+  if (!has_direction(now))
+    choose_direction(rough, now, fly->stream);
+  fly->heading = aspi_heading_of(rough, now);
+  fly->now = incidence_at(rough, fly->heading, impact_angle(now), false);
+}
+
+/* A hit on a face; false: the particle cannot hit it, or a single hit would send it into the wall.
+ */
+static bool hit_face(const asp_wall *wall, const asp_particle *particle, const frame *now,
+                     const face *on, aspi_stream *stream, vec *spin, vec *local,
+                     asp_impact *impact) {
+  vec turned = *spin;
+  bool deposit;
+  if (!aspi_hit_rebound(wall, particle, now, on->m, !wall->isotropic, stream, &turned, local,
+                        &deposit) ||
+      !(wall->multiple || deposit || local->z > 0))
+    return false;
+  *spin = turned;
+  impact->eroded += eroded_there(wall, particle, now, on->m);
+  impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+  return true;
+}
+
+/* Hit after hit until the particle leaves. `now` is the frame of v1 at first. */
 static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stream *stream,
                       const aspi_ratios *ratios, asp_impact *impact) {
   const asp_wall *wall = rough->wall;
@@ -283,59 +314,39 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
       .rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream, .ratios = ratios};
   fly.now = incidence_at(rough, fly.heading, impact_angle(now), true);
   aspi_path path = {0};
-  vec v2 = {0, 0, 0}, spin = load(particle->omega);
+  vec v2 = {0, 0, 0}, spin = load(particle->omega), local;
+  bool ends = false, gone = false, stuck = false;
   impact->hits = 0;
-  for (int i = 0; i < ASP_HITS_MAX; i++) {
+  for (int i = 0; i < ASP_HITS_MAX && !ends; i++) {
     double delta;
-    vec local;
-    bool deposit, gone;
-    if (!next_tilt(wall, &fly, &path, &delta, &gone)) {
-      if (!gone)
-        continue;
-      if (impact->hits == 0) /* it does not even approach */
-        bounce_off_mean_wall(wall, particle, now, stream, impact);
-      else
-        store(leaving(now, v2), impact->v2);
-      if (impact->hits > 0)
-        store(spin, impact->omega);
-      return;
-    }
-    face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
-    vec turned = spin;
-    if (!aspi_hit_rebound(wall, particle, now, on.m, !wall->isotropic, stream, &turned, &local,
-                          &deposit) ||
-        !(wall->multiple || deposit || local.z > 0))
+    bool drawn = next_tilt(wall, &fly, &path, &delta, &gone), first = impact->hits == 0;
+    ends = gone;
+    if (!drawn)
       continue;
-    spin = turned;
-    bool first = impact->hits++ == 0;
+    face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
+    if (!hit_face(wall, particle, now, &on, stream, &spin, &local, impact))
+      continue;
+    impact->hits++;
     if (first) {
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
     }
-    impact->eroded += eroded_there(wall, particle, now, on.m);
     v2 = to_lab(now, local);
-    impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-    bool ends = deposit || !wall->multiple || escapes(wall, &fly, local);
-    add_ratios(wall, &fly, now, &on, first, deposit ? NULL : &local, ends);
-    if (ends) {
-      store(deposit ? v2 : leaving(now, v2), impact->v2);
-      store(spin, impact->omega);
-      return;
-    }
-    frame next = frame_of(v2, now->n);
-    if (has_direction(&next) && dot(next.along, now->along) < 0)
-      path.back = !path.back;
-    path.turn = atan2(local.y, local.x);
+    stuck = impact->outcome == ASP_DEPOSIT;
+    ends = stuck || !wall->multiple || escapes(wall, &fly, local);
+    add_ratios(wall, &fly, now, &on, first, stuck ? NULL : &local, ends);
     path.q = on.q;
-    *now = next;
-    if (!has_direction(now))
-      choose_direction(rough, now, stream);
-    fly.heading = aspi_heading_of(rough, now);
-    fly.now = incidence_at(rough, fly.heading, impact_angle(now), false);
+    if (!ends)
+      turn_flight(rough, v2, local, now, &fly, &path);
   }
-  frame first = frame_of(v1, now->n);
-  impact->capped = true;
-  bounce_off_mean_wall(wall, particle, &first, stream, impact);
+  if (ends && impact->hits > 0) {
+    store(stuck ? v2 : leaving(now, v2), impact->v2);
+    store(spin, impact->omega);
+    return;
+  }
+  frame in = gone ? *now : frame_of(v1, now->n); /* gone: it does not even approach */
+  impact->capped = !gone;
+  bounce_off_mean_wall(wall, particle, &in, stream, impact);
 }
 
 static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *particle, vec v,

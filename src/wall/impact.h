@@ -7,7 +7,7 @@
 #include "wall/frame.h"
 #include "wall/wall.h"
 
-/* The particle with the wall's pair where it has none of its own; its material's constants. */
+/* The particle, with the wall's pair if it has none; its material's constants. */
 static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_particle *particle) {
   asp_particle own = *particle;
   own.pair = own.pair ? own.pair : wall->pair;

@@ -10,7 +10,7 @@
 #include "rebound/removal.h"
 #include "spread/models.h"
 
-/* The parts of a wall; all of it stays the caller's. */
+/* The parts of a wall. The caller keeps ownership. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
   const asp_heights *heights; /* NULL: a profile is generated where the model needs one */
@@ -29,7 +29,7 @@ typedef struct aspi_wall_choice {
   double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */
 } aspi_wall_choice;
 
-/* Where the wall was measured: what is doubtful about the file, and how the points lie. */
+/* A measured wall: doubts about its file, and its points. */
 typedef struct aspi_wall_heights {
   asp_error doubt;
   double spacing, length, lambda; /* the widest, the shortest, the longest; spacing 0: no points */
@@ -40,10 +40,11 @@ struct asp_wall {
   aspi_cor_table *table; /* alike */
   asp_pair *pair;        /* alike */
   const asp_spread_model *spread;
-  const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
+  const asp_spread_model *rising; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
-  bool (*follow)(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta);
-  bool draws_q; /* the model draws the slope across the flight, too */
+  bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+                 double *delta);
+  bool has_cross_slope; /* the model draws the slope across the flight, too */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   bool rough; /* false: smooth, and nothing is drawn */

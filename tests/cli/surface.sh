@@ -116,9 +116,9 @@ refuses 2 "'friction' has no effect" -- surface surface rq 5um lambda_c 40um fri
 refuses 2 --gaps bend refuse fill -- surface surface profile profile.csv --gaps bend
 refuses 2 --form 12 '0 to 9' -- surface surface profile profile.csv --form 12
 refuses 2 --points 100 4096 -- surface surface rq 5um lambda_c 40um --points 100
-refuses 2 --dp 'reaches to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
+refuses 2 --dp 'valid up to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
 "$asperity" spread surface rq 20um lambda_c 40um --dp 2mm --angles 20 -o x 2> err && die "spread beyond the table"
-grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)"
+grep -q -- '--dp: .* valid up to' err || die "spread beyond the table: $(cat err)"
 refuses 2 --dp 0.1um 0.5um -- surface surface profile waves.csv --dp 0.1um
 refuses 2 d_p "profile's length" -- surface surface profile waves.csv --dp 1m
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"

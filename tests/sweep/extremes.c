@@ -77,7 +77,7 @@ static _Thread_local double u_forced;
 static _Thread_local const asp_spread_model *behind;
 static _Thread_local uint64_t at_work;
 
-static double forced_quantile(const aspi_view *view, double u) {
+static double forced_quantile(const aspi_spread_input *view, double u) {
   (void)u;
   return behind->quantile(view, u_forced);
 }
@@ -138,7 +138,7 @@ static void choose_law(aspi_stream *s, asp_wall *wall) {
   wall->table = table;
   for (int i = 0; i < wall->law->n_parameters; i++) {
     const aspi_keyword *p = &wall->law->parameters[i];
-    wall->parameters[i] = p->fallback;
+    wall->parameters[i] = p->default_value;
     if (one_of(s, 4) == 0)
       wall->parameters[i] = isfinite(p->most) ? between(s, p->least, p->most) : or_zero(s, 0, 12);
   }
