@@ -213,7 +213,7 @@ typedef struct asp_lay {
 asp_lay asp_description_lay(const asp_description *description);
 
 /* A wall of a description, for diameters from d_least to d_most in its units; they are used only
- * if asp_description_needs_sizes, otherwise they may be 0. ASP_EARG where the law needs a pair and
+ * if asp_description_needs_sizes, otherwise they may be 0. ASP_EARG if the law needs a pair and
  * the description has no two materials, unless particles come with theirs (asperity_engine.h).
  * Reads the file of a measured wall unless the caller has set its heights. The wall needs neither
  * description nor heights any longer. */

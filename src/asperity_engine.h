@@ -128,7 +128,7 @@ double asp_description_capture_speed(const asp_description *description,
  *
  * The mean line or plane is subtracted; bad points and gaps are refused. `text`, of `size`
  * characters (NULL: none): one sentence about points, form, positions and columns. *doubt:
- * ASP_EDATA and a message where the heights are doubtful: dust (points far off all neighbors),
+ * ASP_EDATA and a message if the heights are doubtful: dust (points far off all neighbors),
  * heights in few levels, or cut off at an end of their range; else ASP_OK. For other files the
  * command `asperity surface` has options. */
 asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char *text, size_t size,

@@ -48,7 +48,7 @@ static void take_means(aspi_calibration *c, aspi_calibration_bin *bin) {
   }
 }
 
-/* The impacts of a bin's rows, and which of their moments there are. False: out of memory. */
+/* Reads the impacts of a bin, and notes which moments exist. False: out of memory. */
 static bool take_impacts(const aspi_calibration *c, aspi_calibration_bin *bin) {
   size_t rebounds = 0, deposits = 0;
   bool has[COR_BOTH] = {true, true};
@@ -73,7 +73,7 @@ static bool take_impacts(const aspi_calibration *c, aspi_calibration_bin *bin) {
   return xy != NULL;
 }
 
-/* Blends the covariances of one rebound with that of all bins. */
+/* Blends each bin's covariances with those pooled over all bins. */
 static void pool_covariances(aspi_calibration *c) {
   double pooled[MOMENT_STUCK][MOMENT_STUCK] = {{0}}, freedom = 0;
   for (int pass = 0; pass < 2; pass++)

@@ -19,7 +19,7 @@ typedef struct aspi_unknown {
   enum { OF_SURFACE, OF_PAIR, OF_LAW } kind;
   double default_value; /* the design of the search is around it, whatever the start */
   double start, least, most;
-  bool bounded; /* between least and most, both finite and near: a logistic scale, else its log */
+  bool bounded; /* bounds at most 10 apart: logistic scale; otherwise logarithm */
   /* On that scale, on which 1 is a big change: the start, the bounds, the box of the design. */
   double scaled_start, low, high, from, to;
 } aspi_unknown;
@@ -41,7 +41,7 @@ typedef struct aspi_calibration_bin {
   double degrees;
   aspi_bin_moments moments;
   bool used[MOMENTS];
-  bool data_weighted; /* the errors of the means are given and taken as they are */
+  bool data_weighted; /* the data state the errors of the means */
 } aspi_calibration_bin;
 
 typedef struct aspi_calibration {

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Draws of a group have numbers of their own. */
+/* Each bin has its own range of tags. */
 enum { TAGS_OF_A_BIN = 1 << 30 };
 
 double aspi_unknown_value(const aspi_unknown *u, double scaled) {
@@ -85,8 +85,8 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
   return true;
 }
 
-/* The row of impact i of some at the places of a bin. All rows come equally often, or spread over
- * the bin where there are fewer impacts: rows are in order of their angle. */
+/* The row whose place impact i has. All rows come equally often; fewer impacts than rows are spread
+ * over the bin, because rows are in order of their angle. */
 static const aspi_scatter_row *row_of(const aspi_calibration *c, const aspi_calibration_bin *bin,
                                       size_t i, size_t samples) {
   double share = ((double)i + 0.5) / (double)samples;

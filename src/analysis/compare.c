@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Places are the same that differ by less: in degrees, and as a share. */
+/* Tolerances of equal places: degrees, and relative. */
 #define SAME_ANGLE 1e-4
 #define SAME_SHARE 1e-4
 
@@ -18,7 +18,7 @@ enum { ENOUGH = 20 };
 enum { ROWS_EACH = 4 };
 #define NEARLY_ALL 0.9
 
-/* How many of the points, which are in order of their angle, lie below it. */
+/* Number of impacts below an angle; impacts are in order of their angle. */
 static size_t count_below(const aspi_scatter *impacts, double angle) {
   size_t low = 0, high = impacts->count;
   while (low < high) {
@@ -91,8 +91,8 @@ void aspi_compare_apart_free(aspi_apart *apart) {
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
-/* Whether places were measured again and again. A ledger of a curved wall has some such places, and
- * many that were hit once. */
+/* True if places were measured repeatedly. A ledger of a curved wall has some such places, and many
+ * that were hit once. */
 static bool is_of_places(const aspi_scatter *data) {
   size_t places = 0, often = 0;
   double before = 0;
@@ -141,7 +141,7 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
 /* ---- impacts at a place -----------------------------------------------------------------------
  */
 
-/* The impacts that weigh in a bin, and how much. */
+/* Weights of the impacts in a bin. */
 typedef struct weights {
   double *of;    /* of each impact */
   size_t *which; /* those that have a weight */
@@ -163,7 +163,7 @@ static double count_near(const aspi_scatter *impacts, const aspi_scatter_row *at
   return found;
 }
 
-/* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
+/* Spreads the weight `rows` over the impacts within `far` of a place. */
 static void weigh(const aspi_scatter *impacts, const aspi_scatter_row *at,
                   const aspi_compare_reach *far, double rows, weights *w) {
   double each = rows / count_near(impacts, at, far);

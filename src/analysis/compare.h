@@ -43,9 +43,9 @@ asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *
                             aspi_apart *apart, asp_error *error);
 void aspi_compare_apart_free(aspi_apart *apart);
 
-/* A bin for each row of means; of impacts for each interval of angles of that width in degrees. Not
- * `given` by the user, the width does not count where many impacts were measured at each place:
- * each place is a bin then. */
+/* A bin for each row of means, or for each interval of angles of that width in degrees. If many
+ * impacts were measured at each place, each place is a bin, unless the width is `given` by the
+ * user. */
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error);
 
 /* Fills the bins; the impacts are in order of their angle. If far is NULL, the measured impacts are

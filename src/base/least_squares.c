@@ -7,7 +7,8 @@
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 
-/* Equations whose triangle has a diagonal of this range fix no coefficients. */
+/* If the triangle's diagonal has a larger range than this, the points do not fix the coefficients.
+ */
 #define SINGULAR 1e-13
 
 void aspi_least_squares_add(aspi_least_squares *fit, const double *t, double z) {

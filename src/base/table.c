@@ -23,7 +23,7 @@ static asp_code fail_memory(const aspi_table *t, asp_error *error) {
                    t->text.line);
 }
 
-/* Cuts the line at hand. */
+/* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;
   t->count = t->all = 0;
@@ -41,7 +41,7 @@ static asp_code cut(aspi_table *t, asp_error *error) {
   return ASP_OK;
 }
 
-/* Takes a tag off the front of a line in the header that it does not close, and those behind. */
+/* Strips unclosed tags from the front of a header line. */
 static void take_off_tags(aspi_table *t) {
   char *line = t->text.text + strspn(t->text.text, " \t"), *end = strchr(line, '<');
   if (end == line && t->rows == 0) {
@@ -166,7 +166,7 @@ void aspi_plain(const char *name, char *to, size_t size) {
   to[n] = '\0';
 }
 
-/* A unit as a line of units has them, in brackets or bare. */
+/* A unit of a line of units, in brackets or bare. */
 static bool is_unit(const char *field, size_t length) {
   char name[ASP_PLAIN_MOST], copy[ASP_PLAIN_MOST];
   snprintf(copy, sizeof copy, "%.*s", (int)length, field);
@@ -186,8 +186,8 @@ static bool is_unit_line(const char *line, size_t length) {
   return all;
 }
 
-/* The last line of the header above `end`, which becomes its place: without comments where there
- * are other lines, unless they are units; NULL if there is none. */
+/* The last line of the header above `end`, which becomes its index. Comments count only if they are
+ * units, or there are no other lines. NULL if there is none. */
 static const char *line_above(const aspi_table *t, const char **end) {
   bool others = *t->header && *t->header != '#';
   for (const char *c = t->header; (c = strchr(c, '\n')) != NULL; c++)

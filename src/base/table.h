@@ -28,7 +28,7 @@ typedef struct aspi_table {
   char separator;
   bool thousands; /* commas stand between groups of digits */
   int width;      /* fields of most rows, 0 if they differ */
-  int count, all; /* fields of the line at hand, without empty ones behind and with them */
+  int count, all; /* fields of the current line, without empty ones behind and with them */
   char **fields;
   int room;
   size_t start, rows;     /* the line of the first row; of those that were taken, for the caller */
@@ -54,7 +54,7 @@ asp_code aspi_table_line(aspi_table *table, bool *found, asp_error *error);
 /* The same, and ASP_EDATA if the number of fields differs from the number of names. */
 asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
 
-/* ASP_EDATA and a message on the line at hand. */
+/* ASP_EDATA and a message on the current line. */
 #define aspi_table_fail(table, error, ...)                                                         \
   aspi_file_fail((table)->text.path, (table)->text.line, error, __VA_ARGS__)
 

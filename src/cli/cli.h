@@ -100,8 +100,8 @@ typedef struct cli_list {
  * 5 Pa, and its unit was forgotten. */
 void cli_check_unit(const char *name, const char *text, const char *kind);
 
-/* The option's value, which must have been given, as a number of a kind (see base/units.h) with
- * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
+/* The value of a given option: a number of a kind (see base/units.h) with or without a unit; a
+ * number without unit; a length > 0; a whole number, which may be written as 1e6. */
 double cli_quantity(const cli_option *option, const char *kind, double least, double most);
 double cli_number(const cli_option *option, double least, double most);
 double cli_length(const cli_option *option);
@@ -130,14 +130,13 @@ CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
-/* cli_clean_up erases the line of progress and removes a file that is not whole, as an exit does
- * and a signal that ends the program. cli_remove_later: that file, from now on; NULL: there is
- * none.
+/* cli_clean_up erases the line of progress and removes an incomplete file; exits and signals call
+ * it. cli_remove_later sets that file; NULL: none.
  */
 void cli_clean_up(void);
 void cli_remove_later(char *path);
 
-/* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
+/* Exits if the file cannot be written. cli_parse checks the options `output` and `save`. */
 void cli_file_check(const char *path);
 
 /* Prints the comment line of a table: version, command line, and the description of the wall if
@@ -145,11 +144,11 @@ void cli_file_check(const char *path);
 void cli_print_heading(FILE *out, const cli_call *call, const char *description);
 FILE *cli_output_open(const cli_call *call, const char *option, const char *description);
 
-/* Prints fields of CSV by a format of printf with text, %s, %d, %zu or a double between its commas.
- * A number that is none is an empty field; a text is put in quotes where it needs them. */
+/* Prints CSV fields by a printf format of text, %s, %d, %zu or doubles between commas. NAN gives an
+ * empty field; text is quoted if necessary. */
 CLI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
 
-/* Prints a number as %.*g of printf does, faster; nothing for one that is none. */
+/* Prints a number like printf's %.*g, but faster; nothing for NAN. */
 void cli_print_number(FILE *out, double value, int digits);
 
 /* A user's text within a comment line: control characters as \xNN. */
@@ -170,8 +169,8 @@ void cli_progress_show(void *progress, double done); /* a cli_progress */
 void cli_progress_end(cli_progress *progress);
 void cli_erase_progress(void);
 
-/* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
- * file that cannot be written. cli_parse asks before any work is done. */
+/* Exits if a picture cannot be drawn: wrong ending (.png, .svg, .pdf), no gnuplot, unwritable file.
+ * cli_parse calls it before any work is done. */
 void cli_plot_check(const cli_call *call);
 
 /* Opens the table of a command: a temporary file with --plot, else the output. cli_table_close

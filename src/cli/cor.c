@@ -37,7 +37,7 @@ typedef struct row {
 /* Impacts that are drawn at once. */
 enum { BLOCK = 1 << 16 };
 
-/* The value of a sample; of a list they come in turn. */
+/* The value of a sample; values of a list are taken in turn. */
 static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
   if (v->count)
     return v->values[sample % v->count];
@@ -137,7 +137,7 @@ static double value_of_group(const cli_list *list, size_t index, double factor) 
   return list->count ? list->values[index % list->count] * factor : NAN;
 }
 
-/* Per angle, speed and size: what sticks, and mean and sd of what rebounds. */
+/* Per angle, speed and size: share of deposits; mean and sd of rebounds. */
 static void print_summary(FILE *out, const scene *s, const cli_list *angles, const sums *of,
                           bool erodes) {
   size_t groups = count_groups(s), sizes = s->sizes.count ? s->sizes.count : 1;

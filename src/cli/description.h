@@ -14,7 +14,7 @@
 typedef struct cli_description {
   asp_description *words;
   asp_wall *wall;                        /* NULL until it is made */
-  const asp_material *particle, *target; /* NULL where the law takes no materials and none are
+  const asp_material *particle, *target; /* NULL if the law takes no materials and none are
                                             given */
   asp_pair *pair;                        /* NULL alike */
   bool has_default_materials;            /* none are given */
@@ -44,11 +44,11 @@ void cli_description_doubt(const cli_description *description, double d_least, d
  * doubts. */
 void cli_description_make(cli_description *description, double d_least, double d_most);
 
-/* Warns where the lowest of these angles (degrees) is steepened over a measured profile. */
+/* Warns if the lowest of these angles (degrees) is steepened over a measured profile. */
 void cli_description_doubt_angles(const cli_description *description, const cli_list *angles);
 
 /* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
- * NAN where it is undefined. */
+ * NAN if it is undefined. */
 typedef struct cli_impact {
   asp_impact impact;
   asp_coefficients cor;

@@ -14,7 +14,7 @@
 /* Impacts per block, at least. */
 enum { CELLS_LEAST = 1 << 16 };
 
-/* What an impact, or all of a triangle, wore off. */
+/* Eroded mass of one impact, or of all impacts on a triangle. */
 typedef struct cell {
   int mesh, triangle;
   double impacts, mass;
@@ -43,7 +43,7 @@ static void add(void *fields, const void *with) {
   to->mass += more->mass;
 }
 
-/* Makes one cell of all of a triangle, in order. */
+/* Merges the cells of each triangle, and sorts them. */
 static void put_together(wear *w) {
   w->count = aspi_put_together(w->cells, w->count, sizeof *w->cells, by_place, add);
 }

@@ -129,7 +129,7 @@ static double factor_of(const char *kind, const char *unit, bool stated) {
 }
 
 /* The unit of a ledger's column that has none in its name: of the units in the first comment, else
- * of SI; NAN where they have no size. */
+ * of SI; NAN if they have no size. */
 static double ledger_unit(const char *header, const char *kind) {
   static const asp_units styles[] = {
       {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}, {"nano", 1e9, 1e21, 1e9}};

@@ -44,7 +44,7 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
                   .rebound = {kl.value, kl.se, mean, reference}};
 }
 
-/* The models that are judged; those of Gaussian walls only are not, on a measured one. */
+/* The models to judge; on a measured wall without those for Gaussian walls only. */
 static size_t list_models(const aspi_judge_case *subject, const asp_spread_model **models) {
   size_t n = 0;
   for (int m = 0; m < asp_spread_count(); m++)
@@ -140,7 +140,7 @@ static void print(FILE *out, const judged *rows, size_t n) {
 
 /* ---- the case ---- */
 
-/* Exits where no ensemble of profiles is such a wall. */
+/* Exits if no ensemble of profiles represents the wall. */
 static void check_wall(const asp_description *words) {
   const char *kind = asp_description_word(words, "surface");
   if (strcmp(kind, "smooth") == 0)

@@ -14,7 +14,7 @@ bool asp_description_needs_sizes(const asp_description *d) {
 
 /* ---- what has no effect ---- */
 
-/* Why a word that needs this has none; "": it has one. */
+/* Why a word with this need has no effect; "": it has one. */
 static void find_lack(const asp_description *d, aspi_need need, char *why, size_t size) {
   const double rate = asp_description_get(d, "yield_rate"),
                heat = asp_description_get(d, "temperature"),

@@ -25,7 +25,7 @@ typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_de
 struct asp_description {
   asp_units units;
   uint64_t given;              /* a bit for each keyword of the table */
-  unsigned of_law, of_erosion; /* a bit for each parameter of the law whose word is given */
+  unsigned of_law, of_erosion; /* a bit for each given word of the law */
   const char *last;            /* the clause that was read last */
   asp_error broken;            /* the error of a clause that could not be read; it stays */
   struct aspi_offers *offers;  /* NULL: they are not asked for */
@@ -76,7 +76,7 @@ const aspi_keyword *aspi_number_find(const asp_description *d, const char *name,
 /* Adds the words within one to a list, with blanks between. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
-/* Checks the range of a number that was `given` so, and that it is whole where it must be. */
+/* Checks a number's range, and that it is whole if it must be; `given` is its text. */
 asp_code aspi_keyword_check(const aspi_keyword *keyword, const char *given, double value,
                             asp_error *error);
 
@@ -89,7 +89,7 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
 bool aspi_is_given(const asp_description *d, const char *name);
 void aspi_set_given(asp_description *d, const char *name);
 
-/* Of the keywords of a list that are given the nth, from 0; NULL: there are fewer. */
+/* The nth (from 0) given keyword of a list; NULL: there are fewer. */
 const char *aspi_given_of(const asp_description *d, const char *list, int nth);
 
 /* True if a number is unknown. */
@@ -98,7 +98,7 @@ bool aspi_is_fit(const asp_description *d, const char *name);
 /* The spread model given, or the surface's default. */
 const asp_spread_model *aspi_description_spread(const asp_description *d);
 
-/* The parts of the wall that the words name, without surface, diameters and pair. */
+/* The parts of the wall given by words, without surface, diameters and pair. */
 aspi_wall_choice aspi_description_choice(const asp_description *d);
 
 /* The surface of a wall that is given by numbers. */

@@ -1,4 +1,4 @@
-/* The list of erosion laws, and what a wall does with one.
+/* The list of erosion laws, and the eroded mass of one hit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"

@@ -55,10 +55,10 @@ enum { X, Y, Z, VALID, AXES };
 typedef struct reader {
   aspi_table *table;
   const aspi_profile_options *options;
-  int column[AXES];                 /* from 0, -1 where there is none; of a matrix Z is -1 */
+  int column[AXES];                 /* from 0, -1 if there is none; of a matrix Z is -1 */
   double unit[3];                   /* m; < 0 for depths */
   double step[2];                   /* m, as the user or the file states it; 0: it is not stated */
-  double value[3];                  /* of the row at hand in those columns, not in a matrix */
+  double value[3];                  /* of the current row in those columns, not in a matrix */
   int due;                          /* fields of a row */
   size_t stated;                    /* rows by the header, 0: it does not say */
   size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
@@ -106,7 +106,7 @@ static bool is_of(const char *list, const aspi_column *c) {
   return aspi_word_index(list, c->plain, first_word(c->plain), false) >= 0;
 }
 
-/* The unit at the end of a name in m, 0 where there is none of length. */
+/* The unit at the end of a name in m, 0 if there is none of length. */
 static double unit_in(const aspi_column *c) {
   double unit = 0;
   for (const char *end = c->plain; *end && !(unit > 0); end += *end == '_')
@@ -142,8 +142,8 @@ static asp_code find_asked(const reader *r, const char *asked, int *found, asp_e
                          asked, r->due);
 }
 
-/* The columns that neither the user nor names state. Of two columns the first is that of positions
- * where no name is known, and the other one that of heights where one is named as positions. */
+/* Guesses columns that neither user nor names state. Of two columns without known names the first
+ * has positions; if one is named as positions the other has heights. */
 static void complete(reader *r, bool alone) {
   int *x = &r->column[X], *z = &r->column[Z], named = r->table->columns;
   int position = first_of(r, positions, *z), height = first_of(r, heights, *x);
@@ -244,7 +244,7 @@ static bool fits(reader *r) {
   return good;
 }
 
-/* The beginning of the line at hand, and if there are digits in it. */
+/* The beginning of the current line, and if there are digits in it. */
 static bool show(const aspi_table *t, char *shown, size_t size) {
   bool digits = false;
   *shown = '\0';
@@ -257,7 +257,7 @@ static bool show(const aspi_table *t, char *shown, size_t size) {
   return digits;
 }
 
-/* Checks the number of fields of the row at hand. */
+/* Checks the number of fields of the current row. */
 static asp_code check_count(const reader *r, asp_error *error) {
   const aspi_table *t = r->table;
   bool matrix = r->column[Z] < 0, comma = t->separator == ',';
@@ -381,7 +381,7 @@ static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
     p->list[i].x = (double)i * r->step[0];
 }
 
-/* Rows of positions and heights; of a profile without positions they are the step apart. */
+/* Reads rows of positions and heights. A profile without positions has equal steps. */
 static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_error *error) {
   const int *at = r->column;
   asp_code code = ASP_OK;
@@ -405,7 +405,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
   return code;
 }
 
-/* Notes how the file was read, and what was not. */
+/* Notes how the file was read, and what was left out. */
 static void describe(const reader *r, aspi_raw *raw) {
   const int x = r->column[X] + 1, y = r->column[Y] + 1, z = r->column[Z] + 1;
   bool chosen = r->due > 2 && !raw->is_map;

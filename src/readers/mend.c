@@ -270,7 +270,7 @@ static asp_code check_lengths(const aspi_raw *raw, asp_error *error) {
                         ASP_POINTS_MOST);
 }
 
-/* Takes the form out, and again where spikes were in it. */
+/* Subtracts the form; again if spikes were found. */
 static asp_code level(aspi_raw *raw, const aspi_profile_options *options,
                       aspi_profile_report *report, asp_error *error) {
   bool mark = options->spikes > 0;

@@ -16,8 +16,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Positions are equally spaced when they are off a line by no more than rounding can be, and this
- * part of the spacing. */
+/* Positions are equally spaced if they are off a line by at most their rounding plus this part of
+ * the spacing. */
 #define UNEVEN_RMS 0.01
 #define UNEVEN_STEP 0.05
 
@@ -106,8 +106,8 @@ static asp_code measure_along(aspi_points *p, double ratio, const aspi_raw *raw,
                         100 * off);
 }
 
-/* Turns falling positions round, and checks that all of them grow; the least and the largest of
- * their steps. */
+/* Reverses falling positions, and checks that all increase; finds the least and the largest step.
+ */
 static asp_code put_in_order(aspi_points *p, double steps[2], aspi_raw *raw, asp_error *error) {
   aspi_xyz *list = p->list;
   size_t n = p->count, repeats = 0;
@@ -159,7 +159,7 @@ static bool is_even(const aspi_points *p, const double steps[2], double q, doubl
          fmax(steps[1] - slope, slope - steps[0]) <= q + UNEVEN_STEP * slope;
 }
 
-/* Points at one position become one of their mean height. */
+/* Merges points at one position, with their mean height. */
 static void merge_repeats(aspi_points *p) {
   size_t kept = 0;
   for (size_t i = 0; i < p->count;) {
@@ -241,7 +241,7 @@ typedef struct grid {
   size_t count;
 } grid;
 
-/* Sorted coordinates that are rounded from one become their mean; how many there are then. */
+/* Merges sorted coordinates that differ by rounding; returns how many are left. */
 static size_t merge_near(double *at, size_t count) {
   double near = GRID_PART * (at[count - 1] - at[0]) / sqrt((double)count);
   size_t kept = 0;
@@ -269,7 +269,7 @@ static bool find_grid(const aspi_points *p, bool along_y, double *room, grid *g)
   return true;
 }
 
-/* Room for the heights on the grid, which are all missing yet. */
+/* Allocates the grid; all heights are missing at first. */
 static asp_code make_room(size_t points, aspi_raw *raw, asp_error *error) {
   if ((double)raw->columns * (double)raw->rows > 4 * (double)points + 1e4)
     return aspi_file_fail(raw->path, 0, error,

@@ -20,7 +20,7 @@ typedef struct aspi_points {
 
 asp_code aspi_points_add(aspi_points *points, aspi_xyz point, asp_error *error);
 
-/* Takes in how finely a position is written. */
+/* Notes how finely a position is written. */
 void aspi_points_precision(aspi_points *points, const char *written);
 
 /* Put the points into `raw` at equal spacing on a line, or on their grid. unit: meters per unit of

@@ -1,5 +1,5 @@
-/* Doubts about measured heights; see read.h: that they stand for missing ones, their steps and
- * ends, and how they are sampled, in points per particle and correlation lengths.
+/* Warnings about measured heights; see read.h: marks of missing heights, quantized or clipped
+ * heights, too few points per particle, too few correlation lengths.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
@@ -10,9 +10,9 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* ---- heights that stand for missing ones ---- */
+/* ---- marks of missing heights ---- */
 
-/* Heights that instruments write where they have none. */
+/* Marks that instruments write for missing heights. */
 static const double known[] = {999,   999.9, 9999,  9999.9, 99999, 999999,
                                32767, 32768, 65535, 1e10,   1e30,  1e38};
 
@@ -57,7 +57,7 @@ asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *
 
 /* ---- steps and ends ---- */
 
-/* Heights have steps where they take no more values than this, each of them many times. */
+/* Heights are quantized if they have at most this many values, each many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 
 /* Heights are clipped if this share of all points is at one end of their range, and this many times
@@ -70,7 +70,7 @@ enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 /* A measured wall with fewer points per particle resolves little. */
 #define POINTS_PER_PARTICLE 10.0
 
-/* Adds a height to those that are known already; false where there are too many. */
+/* Adds a new value to the levels; false if there are too many. */
 static bool add_level(double *level, size_t *count, double z) {
   for (size_t i = 0; i < *count; i++)
     if (!(level[i] < z) && !(level[i] > z))
@@ -126,7 +126,7 @@ aspi_steps aspi_steps_find(const aspi_raw *raw) {
 
 void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_t size) {
   *text = '\0';
-  if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
+  if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* corners of clipped parts are not dust */
     aspi_append(text, size,
                 "%zu of %zu points lie over %g robust standard deviations off their neighbors, as "
                 "dust does; take them out (asperity surface --spikes 12 --gaps fill --save FILE)",

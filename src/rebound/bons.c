@@ -71,10 +71,10 @@ static const aspi_keyword parameters[N_PARAMETERS] = {
               .values = "off | on"},
 };
 
-/* m; the smallest diameter that it is for (an estimate of this project) */
+/* least diameter, m (an estimate of this project) */
 #define D_LEAST 0.5e-6
 
-/* The share of the yield stress that heat leaves. */
+/* Yield stress at this temperature over the cold one. */
 static double softened(const double *p, double own) {
   double temperature = own > 0 ? own : p[TEMPERATURE];
   if (!(temperature > p[SOFTEN_FROM]))
@@ -82,7 +82,7 @@ static double softened(const double *p, double own) {
   return fmax(0, fma(-p[SOFTEN_RATE], temperature - p[SOFTEN_FROM], 1));
 }
 
-/* If nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
+/* With v_y = 0 nothing is elastic: v_n1/v_y is taken as 1 and nothing returns. */
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   double n1 = hit->v_n1, t1 = hit->v_t1, speed = sqrt(n1 * n1 + t1 * t1), density = hit->density;

@@ -13,7 +13,7 @@ struct asp_material {
   double youngs_modulus; /* Pa */
   double poissons_ratio;
   double density;      /* kg/m^3 */
-  double yield_stress; /* Pa; 0 where no value is given: it counts for the particle only */
+  double yield_stress; /* Pa; 0: unknown; used for the particle only */
   const char *source;
 };
 
@@ -24,7 +24,7 @@ struct asp_pair {
   double surface_energy; /* gamma, energy per area, >= 0; 0 switches adhesion off */
   double friction;       /* mu, >= 0 */
   double wall_density;
-  double harder; /* of one grain: its yield stress over the material's, less 1 */
+  double harder; /* one grain's yield stress over the material's, minus 1 */
 };
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:

@@ -50,7 +50,7 @@ void asp_pair_free(asp_pair *pair) {
   free(pair);
 }
 
-/* The number of that name; NULL where there is none. */
+/* The number of that name; NULL if there is none. */
 static double *number_of(asp_pair *pair, const char *name) {
   return strcmp(name, "modulus") == 0          ? &pair->modulus
          : strcmp(name, "yield_stress") == 0   ? &pair->yield_stress

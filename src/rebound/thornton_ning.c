@@ -57,7 +57,8 @@ static double plastic_work(double adhesion, double give, double u, double *slope
   return u * (u3 * (eighth * u3 * u + fifth * u + fourth) + square * u + first);
 }
 
-/* Where the loading has done that work: Newton's steps from above, on a convex curve. */
+/* The radius at which the loading has done that work: Newton's method from above, on a convex
+ * curve. */
 static double stops_at(double adhesion, double give, double from, double work) {
   double u = 2 * from, last, slope;
   while (plastic_work(adhesion, give, u, &slope) < work)

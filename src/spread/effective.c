@@ -5,8 +5,8 @@
  *
  * In x = delta/sigma, the integral of phi(t) sin(alpha1 + sigma t) over a tail is a series in the
  * tail's moments, fast and without cancellation for every sigma. For a particle that flies up
- * (alpha1 < 0) all of it is far tail: there, as close to the end of the support, a quadrature with
- * scaled weights is used.
+ * (alpha1 < 0) the whole support is far tail. There, and close to the end of the support, a
+ * quadrature with scaled weights is used.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/gauss.h"
@@ -20,7 +20,7 @@ enum { TERMS = 60 };
 /* The normal density underflows from here on. */
 #define FAR 38.6
 
-/* This close to the end of the support, in its own length, the difference of tails loses digits. */
+/* Closer than this share of the support to its end, the difference of tails loses digits. */
 #define NEAR_END 0.05
 
 typedef struct variate {

@@ -22,11 +22,11 @@ enum { BLOCKS_MOST = 100000 };
  * a particle slightly into its neighbor. After 2 cells below the surface it counts as a hit. */
 enum { UNDER_MOST = 2 };
 
-/* Slower flights along an axis stay where they are. */
+/* A flight slower than this along an axis does not move along it. */
 #define SLOWEST 1e-200
 
-/* Places along an edge that are tried one after the other; multiples of the golden section modulo 1
- * spread evenly. */
+/* Places along an edge are tried in turn: multiples of the golden section modulo 1, which spread
+ * evenly. */
 enum { SHIFTS_MOST = 64 };
 #define GOLDEN 0.6180339887498949
 
@@ -127,7 +127,7 @@ static void fill_tops(aspi_field *f) {
     }
 }
 
-/* Fills in what follows from the heights. */
+/* Fills in the members that follow from the heights. */
 static void finish(aspi_field *f) {
   double mean = 0, square = 0, n = (double)(f->columns * f->rows);
   const aspi_tops *last = &f->level[f->levels - 1];
@@ -345,7 +345,7 @@ typedef struct walk {
   double most;          /* upper bound of the time of flight */
 } walk;
 
-/* Looks for the end of the block around the cell. */
+/* Finds the end of the block around the cell. */
 static void find_end(const aspi_field *f, walk *w) {
   int shift = 2 * w->level;
   double out[2];

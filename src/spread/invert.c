@@ -11,13 +11,13 @@ enum { STEPS = 24 };
 /* Least u; below it the derivatives of the density would overflow. */
 #define LEAST 1e-150
 
-/* Steps below these, in lengths over which the density changes, are of fifth order: the error goes
- * with the fifth power of the step; it is below rounding after the second. */
+/* Below the first, in lengths over which the density changes, a step is of fifth order: the error
+ * is the step to the fifth power. Below the second the error is rounding. */
 #define NEAR 0.05
 #define SMALL 6e-4
 
-/* Newton's step from x in the logarithm of the lower tail, of which the root has `share`. Infinite
- * where the tail or the density has run out: no quotient overflows. */
+/* Newton's step from x in the logarithm of the lower tail, which is `share` at the root. Infinite
+ * if the tail or the density underflows: no quotient overflows. */
 static double log_step(const aspi_node *p, double share) {
   if (!(p->share > 1e-300 * share && p->density > LEAST * p->share))
     return INFINITY;

@@ -1,5 +1,5 @@
-/* The record of a spread model, and the list of models. A new model is one file that defines its
- * record, and one line here.
+/* The record of a spread model, and the list of models. To add a model, write one file with its
+ * record and add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_MODELS_H
@@ -20,7 +20,7 @@ typedef struct aspi_spread_input {
   double d_p;    /* diameter, in the surface's unit; for models of a measured wall */
   const void *data; /* made by the model when the wall was prepared, or NULL */
   double kappa;     /* of the particle along its flight; for models with geometry */
-  double phi_r;     /* r_q/lambda_c along the flight, for those too */
+  double phi_r;     /* r_q/lambda_c along the flight; for models with geometry */
   bool has_azimuth; /* the wall has a lay, and `azimuth` (rad) is the angle from the axis across it
                        to the flight, counted toward the lay's other side: from n x lay */
   double azimuth;
@@ -31,7 +31,7 @@ typedef struct aspi_spread_input {
 typedef struct aspi_path {
   bool begun;
   bool back;      /* flies toward smaller x of a profile */
-  double turn;    /* from the flight before to this one, from t toward b */
+  double turn;    /* angle from the previous flight to this one, from t toward b */
   int field;      /* index of a field of the model */
   double azimuth; /* over a map, from x toward y */
   aspi_spot spot;
@@ -39,7 +39,7 @@ typedef struct aspi_path {
                   by the model */
 } aspi_path;
 
-/* A wall with geometry; without heights that of a generated Gaussian profile. */
+/* The heights of a wall, or (heights NULL) its Gaussian statistics. */
 typedef struct aspi_height_field {
   const asp_surface *surface;
   const asp_heights *heights;
@@ -57,9 +57,9 @@ struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
-  bool geometry;       /* has the smaller slopes of summits at grazing incidence */
-  bool covers_rising;  /* covers particles that fly up, too: faces with delta > -alpha1; for other
-                   models `visible` does */
+  bool geometry;       /* includes the smaller slopes of summits at grazing incidence */
+  bool covers_rising;  /* also covers particles that fly up: faces with delta > -alpha1; otherwise
+                          `visible` covers them */
   /* Probability that a particle leaves the wall after a face has sent it up at theta > 0 over the
    * mean wall. NULL: by the heights of a Gaussian wall. */
   double (*escape)(const aspi_spread_input *view, double theta);

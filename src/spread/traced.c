@@ -1,7 +1,7 @@
 /* The geometry itself, hit by hit: every particle falls on the dilated wall at a random place and
  * is followed over it until it leaves (flight.h). Exact for the heights of a measured profile or
- * map and the diameters that it is prepared for; a particle in between takes one of the two next to
- * its own, the nearer one more often.
+ * map and the diameters that it is prepared for; a particle in between uses one of the two
+ * neighboring diameters, the nearer one more often.
  *
  * A Gaussian wall gets a generated profile with the rms slope of the ensemble, and its negative;
  * half of the particles fly over each of them backwards. This represents the ensemble better than
@@ -27,7 +27,7 @@
 enum { PER_LAMBDA = 64, POINTS = 1 << 19 };
 #define SEED 1
 
-/* Most points of a field over a map, and how many of them a correlation length needs. */
+/* Most points of a field over a map, and points per correlation length. */
 enum { MAP_POINTS = 1 << 18, MAP_PER_LAMBDA = 64 };
 
 /* A dilated wall, and the index of its places where flights move. */
@@ -54,8 +54,8 @@ static void release(void *data) {
   free(t);
 }
 
-/* All points of a small map; of a larger one every second, third and so on, and of one that is too
- * large for that the middle. */
+/* All points of a small map; every second, third ... point of a larger one; only the middle of an
+ * even larger one. */
 static aspi_grid grid_of(const asp_heights *map, const asp_surface *surface) {
   const size_t side[2] = {map->columns, map->rows};
   aspi_grid g = {.stride = 1};
@@ -159,8 +159,8 @@ static void enter(const fields *t, const aspi_spread_input *view, aspi_stream *s
   path->spot = aspi_field_enter(&t->wall[path->field].field, u, v);
 }
 
-/* Moves to a place with the slope that the last face has along the new flight; returns how much the
- * slope there is too small. */
+/* Moves to a place whose slope is the last face's slope along the new flight; returns by how much
+ * its slope is too small. */
 static double move(const relief *wall, aspi_stream *stream, aspi_path *path) {
   double x = cos(path->turn), slope = path->p * x + path->q * sin(path->turn);
   bool alike = aspi_stream_uniform(stream) < x * x;
@@ -170,7 +170,8 @@ static double move(const relief *wall, aspi_stream *stream, aspi_path *path) {
 static bool trace_hit(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
                       double *delta) {
   const fields *t = view->data;
-  double shear = 0; /* added to all slopes, so that the particle leaves the face as it did */
+  double shear =
+      0; /* added to all slopes, so that the particle leaves the new face at the same angle */
   if (!path->begun)
     enter(t, view, stream, path);
   else if (t->moves)

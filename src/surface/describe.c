@@ -193,7 +193,7 @@ static double contour(const asp_heights *h, const correlation *c, double angle, 
   }
 }
 
-/* The symmetric M with r' M r = 1 nearest to the points, by least squares; false where they do not
+/* The symmetric M with r' M r = 1 nearest to the points, by least squares; false if they do not
  * fix it. */
 static bool fit_ellipse(const double (*point)[2], size_t count, double m[3]) {
   aspi_least_squares fit = {.terms = 3};

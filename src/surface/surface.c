@@ -33,7 +33,7 @@
 #define POINTS 1e6
 
 struct asp_surface {
-  double r_q;          /* this and the next two NAN where they are not known */
+  double r_q;          /* this and the next two NAN if they are not known */
   double lambda_c;     /* that of its faces, too */
   double lambda_along; /* along the lay; lambda_c without a lay */
   double stretch;      /* lambda_along/lambda_c */

@@ -15,12 +15,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/body.h"
 
-/* The turn of the sliding in one stretch (rad), and the share of its speed that it may lose. */
+/* Most that the sliding may turn in one stretch (rad), and the share of its speed that it may lose.
+ */
 #define TURN_MOST 0.02
 #define LOSS 0.2
 
-/* Sliding that turns less than this, per what changes its speed, keeps its direction; sliding of
- * this share of its first speed has stopped. */
+/* Sliding keeps its direction if its turn over its change of speed is less than this. It has
+ * stopped at this share of its first speed. */
 #define STRAIGHT 1e-7
 #define STOPPED 1e-9
 
@@ -37,7 +38,7 @@ typedef struct lever_path {
   double friction, e2;
   double u_a, u_b, u_m; /* velocity of the point */
   double j_a, j_b, p;   /* impulse so far */
-  double work, least;   /* of the normal impulse so far, and its least value */
+  double work, least;   /* work of the normal impulse so far, and its least value */
 } lever_path;
 
 vec aspi_body_turn(const asp_body *body, vec arm, vec impulse) {
@@ -52,8 +53,8 @@ vec aspi_body_kick(const asp_body *body, vec arm, vec impulse) {
               cross(aspi_body_turn(body, arm, impulse), arm));
 }
 
-/* The normal impulse from here to the end of restitution, at the rate du_m/dp; INFINITY where the
- * point does not come to it. */
+/* The normal impulse from here to the end of restitution, at the rate du_m/dp; INFINITY if it never
+ * ends. */
 static double to_end(const lever_path *at, double rate) {
   double before = 0, u = at->u_m, work = at->work, least = at->least;
   if (u < 0) {
@@ -121,8 +122,8 @@ static bool slide(lever_path *at) {
   }
 }
 
-/* The rest, of a point that does not slide: it sticks, with the friction that holds it, or slides
- * off in the direction in which it keeps sliding, (mu K_t + lambda) s = K_tm. */
+/* The rest of the impulse at a point that has stopped: it sticks, or slides off in the one
+ * direction that stays constant, (mu K_t + lambda) s = K_tm. */
 static void stick(lever_path *at) {
   const inverse_mass *k = &at->k;
   double mu = at->friction, lambda = 0, most = hypot(k->am, k->bm);

@@ -32,8 +32,8 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
   return scaled(plus(other[0], aspi_stream_normal(stream), cross(n, turning)), sd);
 }
 
-/* The impact of an eccentric grain. It turns, and as long as its center still approaches the wall
- * it hits again, with another point; at last as a sphere. */
+/* The impact of an eccentric grain. If its center still approaches the wall after a hit, it hits
+ * again with another point, at last as a sphere. */
 static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particle *particle, vec v,
                              vec n, aspi_stream *stream, const aspi_ratios *ratios,
                              asp_impact *impact) {
@@ -89,7 +89,8 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   return ASP_OK;
 }
 
-/* The impact on a wall whose grains differ: apart, so that others need no room for a pair. */
+/* The impact on a wall whose grains differ; a function of its own, so that other walls need no
+ * space for a pair. */
 static asp_code impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
                                 const double v1[3], const double n[3], const asp_key *key,
                                 asp_impact *impact) {

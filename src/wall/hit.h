@@ -14,7 +14,7 @@
 bool aspi_hit_rebound(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m,
                       bool in_plane, aspi_stream *stream, vec *spin, vec *out, bool *deposit);
 
-/* Mass that a hit on a face of normal m wears off, per mass of the particle. */
+/* Eroded mass per particle mass of a hit on a face of normal m. */
 double aspi_hit_erosion(const asp_wall *wall, const asp_particle *particle, const frame *f, vec m);
 
 #endif

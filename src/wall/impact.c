@@ -1,5 +1,5 @@
 /* One contact: draw the face, turn the velocity into its frame, let the rebound law act, turn back,
- * and see to it that the particle leaves the wall or stays on it.
+ * and make sure that the particle leaves the wall or stays on it.
  *
  * Everything happens in the frame (t, b, n) of the mean wall: n its normal, t the direction of
  * flight along it, b = n x t. The particle comes with (v_t, 0, -v_n); a face with slopes p =
@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-/* Smith's Lambda is below 1e-13 above the first, and overflows below the second. */
+/* Smith's Lambda is under 1e-13 for nu above NU_FREE, and overflows for nu below NU_LEAST. */
 #define NU_FREE 5.2
 #define NU_LEAST 1e-150
 
@@ -39,8 +39,7 @@ static void set_direction(frame *f, double angle) {
   f->v_t = 0;
 }
 
-/* At normal impact the direction of flight is drawn uniformly around n; a wall with a lay has one
- * of its own. */
+/* At normal impact the direction of flight is drawn uniformly around n, or is across the lay. */
 static void choose_direction(const aspi_roughness *rough, frame *f, aspi_stream *stream) {
   set_direction(f, aspi_roughness_has_lay(rough) ? 0 : 2 * ASP_PI * aspi_stream_uniform(stream));
   if (aspi_roughness_has_lay(rough))
@@ -107,13 +106,13 @@ static vec turned_off(const frame *f, vec v) {
   return v;
 }
 
-/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
- * into it in the lab frame. */
+/* Makes sure that v leaves the wall in the lab frame, too: a grazing one may point into it by its
+ * last bits. */
 static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
-/* Mass that a hit wears off, where the faces count. */
+/* Eroded mass of a hit, if faces count. */
 static double eroded_there(const asp_wall *wall, const asp_particle *particle, const frame *f,
                            vec m) {
   return wall->erosion.tilted ? aspi_hit_erosion(wall, particle, f, m) : 0;
@@ -432,8 +431,8 @@ static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi
   return (1 - along) * (1 - across) < mixed2 * draw * draw;
 }
 
-/* The first-hit law at grazing incidence has smaller slopes than these (aspi_grazing), for it is
- * met by particles that come from afar, over the highest summits.
+/* The first-hit law at grazing incidence has smaller slopes than these (aspi_grazing), because
+ * those particles come from afar, over the highest summits.
  *
  * In a kink the particle comes to the face down that behind it, and hits it with the sum of both
  * slopes. Otherwise it hits a face only if it has left the wall on the crest before, a sine of

@@ -20,9 +20,9 @@ typedef struct aspi_wall_choice {
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   const aspi_cor_table *table;
-  const asp_pair *pair; /* for particles without one of their own; may be NULL */
+  const asp_pair *pair; /* for particles without a pair; may be NULL */
   bool deposit;
-  bool scatter_twice; /* allows a law with a scatter of its own on a rough wall */
+  bool scatter_twice; /* allows a law that draws scatter on a rough wall */
   aspi_flow flow;     /* takes away what sticks */
   aspi_erosion erosion;
   double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
@@ -55,7 +55,7 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever, scatter;
-  bool varies; /* grains have a yield stress or an adhesion of their own */
+  bool varies; /* each grain has its own yield stress or adhesion */
   aspi_wall_heights heights;
 };
 
@@ -68,7 +68,7 @@ void aspi_wall_choose_law(aspi_wall_choice *choice, const asp_rebound_law *law);
 /* Checks a choice and makes its wall; NULL on error. */
 asp_wall *aspi_wall_create(const aspi_wall_choice *choice, asp_error *error);
 
-/* Puts another wall, which it frees, in its place. */
+/* Replaces the wall by another one, whose struct is freed. */
 void aspi_wall_replace(asp_wall *wall, asp_wall *by);
 
 /* Replaces the law, deposit and erosion settings; keeps the surface and its tables. */

@@ -176,7 +176,7 @@ class Walls(unittest.TestCase):
                                    (r"impact of impact 0 is -1", (0, 0, -1), {"impact": -1}),
                                    (r"seed of impact 0 is 4.*e\+09", (0, 0, -1), {"seed": 1 << 32}),
                                    (r"d_p of impact 0 is inf", (0, 0, -1), {"d_p": np.inf}),
-                                   (r"d_p is 20; the size law", (0, 0, -1), {"d_p": 20}),
+                                   (r"d_p is 20; this wall's size law", (0, 0, -1), {"d_p": 20}),
                                    (r"temperature of impact 0 is nan", (0, 0, -1), {"temperature": np.nan}),
                                    (r"u_tau of impact 0 is -1; it must be >= 0", (0, 0, -1), {"u_tau": -1}),
                                    (r"lay of impact 0 is nan", (0, 0, -1), {"lay": (np.nan, 0, 0)}),

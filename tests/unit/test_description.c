@@ -367,7 +367,7 @@ static void bad_values_are_named(void **state) {
   refuses("surface profile f dp_bins 0", "dp_bins is 0", "1 to 256");
   refuses("surface rq 1 lambda_c 10 spread weibull collisions many", "'many'", "single | multiple");
   refuses("rebound constant 1.5 1", "cor_n is 1.5", "0 to 1");
-  refuses("rebound constant 1", "cor_t", "missing");
+  refuses("rebound constant 1", "cor_t", "needs a value");
   refuses("rebound bons contact_area 1 1", "'c' needs a value", "");
   refuses("rebound bons contact_area 1 1 11", "c is 11", "0 to 10");
   refuses("rebound bons scatter 1", "'scatter' belongs behind 'yield_stress'", "scatter S");
