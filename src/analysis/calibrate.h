@@ -96,10 +96,11 @@ aspi_bin_moments aspi_calibration_moments(double (*xy)[COR_BOTH], size_t rebound
 asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error *error);
 
 /* Finds the unknowns and sets the wall to them. ASP_ENOMEM, or ASP_EDATA: no values make a wall.
- * Least squares of simulated moments (McFadden 1989), by GSL's nonlinear fit from the best points
- * of a design and from the caller's start, with weights of the data. If the number of impacts is
- * known, a second fit uses the model's covariance as weights, which few impacts cannot give
- * (quasi-likelihood, Wedderburn 1974); it counts if the model then describes the data. */
+ * Least squares of simulated moments (McFadden 1989), by GSL's nonlinear fit from the caller's
+ * start and from points in a box around the default values, with weights of the data. If the number
+ * of impacts is known, a second fit uses the model's covariance as weights, which few impacts
+ * cannot give (quasi-likelihood, Wedderburn 1974); it counts if the model then describes the data.
+ */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
 /* Means and standard deviations of the model's CoR_N and CoR_T at the mean angle of a bin. False:

@@ -8,16 +8,12 @@
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_multifit_nlinear.h>
-#include <gsl/gsl_qrng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Points of the design, searches from the best of them, and their simulated impacts per bin. */
-enum { PROBES = 256, STARTS = 4, SEARCH_SAMPLES = 200 };
-
-/* Least distance of two starts on the scale. */
-#define APART 1.0
+/* Searches at most, and their simulated impacts per bin. */
+enum { STARTS_MOST = 2 * FIT_UNKNOWNS_MOST + 2, SEARCH_SAMPLES = 200 };
 
 /* Searches that end within this of the best sum of squares agree. */
 #define AGREED 1.0
@@ -240,76 +236,35 @@ static double descend(search *s, double *at, int steps, double close, aspi_fit *
 
 /* ---- the best start ---- */
 
-typedef struct probe {
-  double at[FIT_UNKNOWNS_MOST], squares;
-} probe;
-
-static int by_squares(const void *left, const void *right) {
-  const probe *a = left, *b = right;
-  return (a->squares > b->squares) - (a->squares < b->squares);
-}
-
 static void progress(const search *s, double share) {
   if (s->problem->progress)
     s->problem->progress(s->problem->progress_context, share);
 }
 
-/* Evaluates the points of a Sobol sequence and sorts them, the best first. */
-static bool design(search *s, probe *probes) {
-  const aspi_calibration *p = s->problem;
-  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknown);
-  gsl_vector *r = gsl_vector_alloc(s->n_moments);
-  for (int i = 0; i < PROBES && sequence && r; i++) {
-    double share[FIT_UNKNOWNS_MOST];
-    gsl_qrng_get(sequence, share);
-    for (size_t j = 0; j < p->n_unknown; j++)
-      probes[i].at[j] = p->unknown[j].from + share[j] * (p->unknown[j].to - p->unknown[j].from);
-    gsl_vector_view at = gsl_vector_view_array(probes[i].at, p->n_unknown);
-    residuals(&at.vector, s, r);
-    gsl_blas_ddot(r, r, &probes[i].squares);
-    progress(s, 0.2 * i / PROBES);
-  }
-  bool fine = sequence && r;
-  if (sequence)
-    gsl_qrng_free(sequence);
-  gsl_vector_free(r);
-  if (fine)
-    qsort(probes, PROBES, sizeof *probes, by_squares);
-  return fine;
-}
-
-static bool is_apart(const aspi_calibration *p, const probe *point, const probe *from, size_t n) {
-  for (size_t i = 0; i < n; i++) {
-    double square = 0;
-    for (size_t j = 0; j < p->n_unknown; j++)
-      square += pow(point->at[j] - from[i].at[j], 2);
-    if (square < APART * APART)
-      return false;
-  }
-  return true;
-}
-
-/* Finds the best end of a few searches, the last of which begins at the caller's start. */
+/* Finds the best end of a few searches. They begin at the caller's start, in the middle of the box,
+ * and halfway to each of its sides. */
 static asp_code look_around(search *s, aspi_fit *fit) {
   const aspi_calibration *p = s->problem;
-  probe probes[PROBES], ends[STARTS + 1];
-  if (!design(s, probes))
-    return ASP_ENOMEM;
-  for (int i = 0; i < PROBES && fit->starts < STARTS; i++)
-    if (is_apart(p, &probes[i], ends, fit->starts))
-      ends[fit->starts++] = probes[i];
-  for (size_t j = 0; j < p->n_unknown; j++)
-    ends[fit->starts].at[j] = p->unknown[j].scaled_start;
-  fit->starts++;
-  for (size_t i = 0; i < fit->starts; i++) {
-    ends[i].squares = descend(s, ends[i].at, STEPS, 5e-3, NULL);
-    progress(s, 0.2 + 0.4 * (double)i / (double)fit->starts);
+  double best = INFINITY, squares[STARTS_MOST];
+  const size_t starts = 2 * p->n_unknown + 2;
+  for (size_t i = 0; i < starts; i++) {
+    double at[FIT_UNKNOWNS_MOST];
+    for (size_t j = 0; j < p->n_unknown; j++) {
+      const aspi_unknown *u = &p->unknown[j];
+      double side = i / 2 == j + 1 ? (i % 2 ? 0.25 : -0.25) : 0;
+      at[j] = i == 0 ? u->scaled_start : (u->from + u->to) / 2 + side * (u->to - u->from);
+    }
+    squares[i] = descend(s, at, STEPS, 5e-3, NULL);
+    if (squares[i] < best) {
+      best = squares[i];
+      memcpy(fit->at, at, sizeof fit->at);
+    }
+    progress(s, 0.6 * (double)i / (double)starts);
   }
-  qsort(ends, fit->starts, sizeof *ends, by_squares);
-  for (size_t i = 0; i < fit->starts; i++)
-    fit->agreed += ends[i].squares <= ends[0].squares + AGREED;
-  memcpy(fit->at, ends[0].at, sizeof fit->at);
-  return isfinite(ends[0].squares) ? ASP_OK : ASP_EDATA;
+  fit->starts = starts;
+  for (size_t i = 0; i < starts; i++)
+    fit->agreed += squares[i] <= best + AGREED;
+  return isfinite(best) ? ASP_OK : ASP_EDATA;
 }
 
 /* ---- the result ---- */

@@ -149,8 +149,8 @@ typedef struct aspi_missing {
   double stated;
   size_t count; /* heights other than known marks; their range */
   double least, most;
-  double mark;        /* the largest of the known marks */
-  size_t marks, line; /* how often it is there, and where first */
+  double mark; /* the largest of the known marks; 0: none */
+  size_t line; /* of it */
 } aspi_missing;
 
 /* Notes one height of the file and returns it; NAN if it is the stated mark. */

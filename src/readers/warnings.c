@@ -33,12 +33,9 @@ double aspi_missing_note(aspi_missing *m, double height, size_t line) {
     m->least = m->count ? fmin(m->least, height) : height;
     m->most = m->count ? fmax(m->most, height) : height;
     m->count++;
-  } else if (m->marks == 0 || fabs(height) > fabs(m->mark)) {
+  } else if (fabs(height) > fabs(m->mark)) {
     m->mark = height;
-    m->marks = 1;
     m->line = line;
-  } else {
-    m->marks += fabs(height - m->mark) <= 0;
   }
   return height;
 }
@@ -46,13 +43,12 @@ double aspi_missing_note(aspi_missing *m, double height, size_t line) {
 asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *error) {
   double range = m->most - m->least;
   bool off = m->mark < m->least - OFF * range || m->mark > m->most + OFF * range;
-  if (m->count == 0 || m->marks == 0 || !off)
+  if (m->count == 0 || !(fabs(m->mark) > 0) || !off)
     return ASP_OK;
-  return aspi_file_fail(
-      path, m->line, error,
-      "height %.10g, %zu times, beside heights of %g to %g: does it stand "
-      "for a missing one? Say so (asperity surface --missing %.10g), or mend the file",
-      m->mark, m->marks, m->least, m->most, m->mark);
+  return aspi_file_fail(path, m->line, error,
+                        "height %.10g beside heights of %g to %g: is it a mark for a missing "
+                        "height? If so: asperity surface --missing %.10g",
+                        m->mark, m->least, m->most, m->mark);
 }
 
 /* ---- steps and ends ---- */

@@ -8,16 +8,25 @@
 #include "surface/heights.h"
 
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
 aspi_moments aspi_moments_of(const double *values, size_t count) {
-  aspi_moments m = {.mean = gsl_stats_mean(values, 1, count)};
-  m.sd = gsl_stats_sd_with_fixed_mean(values, 1, count, m.mean);
-  if (m.sd > 0) {
-    m.skewness = gsl_stats_skew_m_sd(values, 1, count, m.mean, m.sd);
-    m.kurtosis = gsl_stats_kurtosis_m_sd(values, 1, count, m.mean, m.sd);
+  double mean = 0, m2 = 0, m3 = 0, m4 = 0;
+  for (size_t i = 0; i < count; i++)
+    mean += values[i];
+  mean /= (double)count;
+  for (size_t i = 0; i < count; i++) {
+    double d = values[i] - mean, square = d * d;
+    m2 += square;
+    m3 += square * d;
+    m4 += square * square;
+  }
+  m2 /= (double)count;
+  aspi_moments m = {.mean = mean, .sd = sqrt(m2)};
+  if (m2 > 0) {
+    m.skewness = m3 / (double)count / (m2 * m.sd);
+    m.kurtosis = m4 / (double)count / (m2 * m2) - 3;
   }
   return m;
 }

@@ -140,7 +140,7 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
 }
 
 /* A particle on its way over a rough wall, from its first hit to its last. */
-typedef struct flight {
+typedef struct passage {
   const aspi_roughness *rough;
   aspi_heading heading;
   incidence now;
@@ -149,7 +149,7 @@ typedef struct flight {
   double depth;        /* of the particle, see walk_escapes */
   double before, step; /* the depth before the last step, and how far that went */
   const aspi_ratios *ratios;
-} flight;
+} passage;
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
 static double smith(double nu) {
@@ -174,7 +174,7 @@ static double exponential(aspi_stream *stream) {
  * number over 1 + Lambda to the depth, a flight up subtracts one over Lambda; the particle escapes
  * when nothing is left. `rise` is the slope of its flight, `slope` the rms slope of the wall along
  * it. */
-static bool walk_escapes(flight *fly, double rise, double slope) {
+static bool walk_escapes(passage *fly, double rise, double slope) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope));
   fly->before = fly->depth;
   if (rise > 0 && !(lambda > 0))
@@ -209,7 +209,7 @@ static double log_face(const asp_wall *wall, const incidence *at, const face *on
 
 /* Log density of the last draws of walk_escapes; for an escape after the first hit the probability
  * of escape, integrated over the depth. */
-static double log_walk(const flight *fly, const incidence *at, double rise, double slope,
+static double log_walk(const passage *fly, const incidence *at, double rise, double slope,
                        bool first, bool escaped) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope)), sum = 0;
   double fall = first ? 1 + smith(tan(at->view.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
@@ -225,7 +225,7 @@ static double log_walk(const flight *fly, const incidence *at, double rise, doub
 
 /* Adds the ratios of a hit: of its face, and of the flight that follows with the velocity `out`, in
  * (t, b, n); NULL for a deposit. */
-static void add_ratios(const asp_wall *wall, const flight *fly, const frame *now, const face *on,
+static void add_ratios(const asp_wall *wall, const passage *fly, const frame *now, const face *on,
                        bool first, const vec *out, bool escaped) {
   const aspi_ratios *ratios = fly->ratios;
   for (size_t k = 0; ratios && k < ratios->n; k++) {
@@ -244,7 +244,7 @@ static void add_ratios(const asp_wall *wall, const flight *fly, const frame *now
 }
 
 /* True if the particle escapes with the velocity `out` that a face has given it, in (t, b, n). */
-static bool escapes(const asp_wall *wall, flight *fly, vec out) {
+static bool escapes(const asp_wall *wall, passage *fly, vec out) {
   if (wall->follow)
     return false;
   double along = hypot(out.x, out.y);
@@ -259,7 +259,7 @@ static bool escapes(const asp_wall *wall, flight *fly, vec out) {
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
  * left. */
-static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, double *delta,
+static bool next_tilt(const asp_wall *wall, const passage *fly, aspi_path *path, double *delta,
                       bool *gone) {
   const asp_spread_model *model = wall->spread;
   *gone = false;
@@ -274,7 +274,7 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
 
 /* Turns the flight to the next face, after a hit that gave the velocity v2: `local` in (t, b, n).
  */
-static void turn_flight(const aspi_roughness *rough, vec v2, vec local, frame *now, flight *fly,
+static void turn_flight(const aspi_roughness *rough, vec v2, vec local, frame *now, passage *fly,
                         aspi_path *path) {
   frame next = frame_of(v2, now->n);
   if (has_direction(&next) && dot(next.along, now->along) < 0)
@@ -309,7 +309,7 @@ static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stre
                       const aspi_ratios *ratios, asp_impact *impact) {
   const asp_wall *wall = rough->wall;
   const asp_particle *particle = rough->particle;
-  flight fly = {
+  passage fly = {
       .rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream, .ratios = ratios};
   fly.now = incidence_at(rough, fly.heading, impact_angle(now), true);
   aspi_path path = {0};

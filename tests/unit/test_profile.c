@@ -476,7 +476,7 @@ static void suspicious_numbers_are_refused(void **state) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   const char *marked = "x_um,z_um\n0,1\n1,-9999\n2,3\n3,2\n4,5\n";
-  expect_error(marked, &o, ASP_EDATA, ":3: height -9999, 1 times, beside heights of 1 to 5");
+  expect_error(marked, &o, ASP_EDATA, ":3: height -9999 beside heights of 1 to 5");
   o.missing = -9999;
   expect_error(marked, &o, ASP_EDATA, ":3: the first of 1 bad or missing points");
   o.fill = true;
