@@ -2,7 +2,7 @@
  *
  * A wall is a surface (its roughness), a spread model (the distribution of the face that a particle
  * hits at an impact angle), and a rebound law (velocity after the hit). asp_wall_impact() combines
- * the three for one contact. All of it works in any consistent set of units; angles are radians,
+ * the three for one contact. Units: any consistent set; angles are radians,
  * measured from the wall plane (90 degrees is normal impact); velocities are relative to the wall.
  * A positive tilt delta_alpha turns the wall toward the particle (luff), so that the local impact
  * angle is alpha1 + delta_alpha.
@@ -86,7 +86,8 @@ typedef struct asp_key {
   uint32_t impact; /* which impact of that particle, from 1 */
 } asp_key;
 
-/* A number from a wall's name (32-bit FNV-1a): two walls with one seed draw differently. */
+/* A number from a wall's name (32-bit FNV-1a): walls with the same seed get independent random
+ * numbers. */
 uint32_t asp_key_wall(const char *name);
 
 /* A rigid body by the sphere of it that touches the wall: of a clump, or of an eccentric grain. */
@@ -98,15 +99,15 @@ typedef struct asp_body {
 } asp_body;
 
 typedef struct asp_particle {
-  double d_p;           /* diameter, > 0; of a body that of the touching sphere */
-  double density;       /* > 0; of a body it does not count */
+  double d_p;           /* diameter, > 0; for a body, of the touching sphere */
+  double density;       /* > 0; ignored for a body */
   const asp_pair *pair; /* NULL: that of the wall */
   double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
-  const double *lay;  /* of a wall with a lay, its direction where the particle is: a vector, which
-                         is projected on the wall; NULL, or along n: it flies across the lay */
-  double temperature; /* K, in place of that of the description; 0: that one */
-  double u_tau;       /* friction velocity of the flow where the particle hits, in place of that of
-                         the description; 0: that one; negative: the gas is at rest */
+  const double *lay;    /* direction of the lay at the particle, projected onto the wall. NULL or
+                           parallel to n: treat the flight as across the lay */
+  double temperature;   /* particle temperature, K; 0: use the description's value */
+  double u_tau;         /* friction velocity at the point of impact; 0: use the description's value;
+                           negative: the gas is at rest */
   const asp_body *body; /* NULL: a solid sphere */
   double reserved[4];   /* 0: for later versions */
 } asp_particle;
@@ -115,37 +116,37 @@ typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
 
 typedef struct asp_impact {
   double v2[3];       /* velocity after the contact, relative to the wall */
-  double omega[3];    /* angular velocity after it; as before where the law leaves it */
+  double omega[3];    /* angular velocity after it; unchanged by laws without spin */
   double delta_alpha; /* tilt of the first hit in the plane of incidence, rad */
   double tilt_out;    /* tilt of the first hit out of it, rad, positive along n x t */
   int hits;           /* 1, or more with later hits */
-  bool capped;        /* after 64 draws or hits without an end the mean wall was taken instead */
+  bool capped;        /* true if 64 draws or hits were not enough and the mean wall was used */
   asp_outcome outcome;
-  double eroded;      /* mass of the wall that is worn off, per mass of the particle */
+  double eroded;      /* eroded wall mass per particle mass */
   double reserved[4]; /* 0: for later versions */
 } asp_impact;
 
 /* One contact. v1: velocity relative to the wall; n: outward unit normal of the mean wall. The
  * caller ensures v1.n < 0. Afterwards v2.n > 0, or the particle is deposited (v2 = 0), or, on a
  * wall without deposits whose law leaves no normal speed, it slides (v2.n = 0). Kinetic energy
- * never grows; with a law that turns the particle that includes the spin of a solid sphere. Of a
- * body v1 and v2 are the velocity of its center of mass, and every law turns it; u = v1 + omega x
- * lever must approach (u.n < 0). Afterwards u leaves the wall; v2 may not. A wall with `grain
- * lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG, with the
- * velocity and the spin that were given, where the law needs a pair and neither particle nor wall
- * has one. */
+ * never grows; with a law that turns the particle that includes the spin of a solid sphere. For a
+ * body, v1 and v2 are the velocity of its center of mass, and every law changes its spin; u = v1 +
+ * omega x lever must approach (u.n < 0). Afterwards u leaves the wall, but v2 may not. A wall with
+ * `grain lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG if
+ * the law needs a pair and neither particle nor wall has one; velocity and spin are then unchanged.
+ */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact);
 
-/* n contacts, each as asp_wall_impact makes it: of particles[n] with the velocities v1[3 n], the
- * normals normals[3 n] and the keys keys[n]; to impacts[n]. */
+/* n contacts like asp_wall_impact, from arrays: particles[n], velocities v1[3 n], normals[3 n] and
+ * keys[n]; results go to impacts[n]. */
 asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           asp_impact *impacts, asp_error *error);
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). A quotient is NAN for a
- * deposit, and where what it divides by is no more than rounding, 1e-12 of v1 or of 1 rad: cor_n
- * and cor_alpha of a particle that slides, cor_t at normal impact. */
+ * deposit, and if its denominator is below 1e-12 of v1 or of 1 rad: cor_n and cor_alpha of a
+ * sliding particle, cor_t at normal impact. */
 typedef struct asp_coefficients {
   double v1, alpha1;
   double v2;                           /* in space */
@@ -158,13 +159,13 @@ typedef struct asp_coefficients {
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
 
-/* Coefficients of n contacts, in the arrays of asp_wall_impacts; to coefficients[n]. */
+/* Coefficients of n contacts in the arrays of asp_wall_impacts. */
 void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
                               const asp_impact *impacts, asp_coefficients *coefficients);
 
 /* ---- the description of a wall --------------------------------------------------------------- */
-/* The caller's units: the number of them in one SI unit (1 for SI, 1e6 for micrometers; 0: not
- * known). The name is for messages, as "'units lj'". */
+/* The caller's units per SI unit (1 for SI, 1e6 for micrometers; 0: unknown). The name is for
+ * messages, as "'units lj'". */
 typedef struct asp_units {
   const char *name;
   double meter, kilogram, second;
@@ -178,8 +179,8 @@ typedef struct asp_units {
  * number alone is in the caller's units (NULL: SI; their name must live as long as the
  * description), one with a unit behind it, as 5um, 200MPa or 30deg, is converted to them; angles
  * are degrees. Names with blanks stand in quotes, where a quote is doubled. A word without an
- * effect on the wall is an error. Files of tables and materials are read here, files of measured
- * walls by asp_wall_create. */
+ * effect on the wall is an error. Files of tables and materials are read here; asp_wall_create
+ * reads files of measured walls. */
 typedef struct asp_description asp_description;
 asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error);
 void asp_description_free(asp_description *description);
@@ -197,8 +198,8 @@ asp_code asp_description_set(asp_description *description, const char *name, dou
                              asp_error *error);
 
 /* A word by name: that of the keywords surface (smooth, sigma, rq, profile or map), spread,
- * tilt, collisions, rebound and deposit; `file` of the profile or the map. NULL for another name,
- * and for a file that there is not. */
+ * tilt, collisions, rebound and deposit; `file` of the profile or the map. NULL for another
+ * name, or if there is no file. */
 const char *asp_description_word(const asp_description *description, const char *name);
 
 /* The lay of a wall: a vector of length 1 that is fixed to the wall, or, on a cylinder, the angle
@@ -211,10 +212,10 @@ typedef struct asp_lay {
 } asp_lay;
 asp_lay asp_description_lay(const asp_description *description);
 
-/* A wall of a description, for diameters from d_least to d_most in its units; both count only if
- * asp_description_needs_sizes, else they may be 0. ASP_EARG where the law needs a pair and the
- * description has no two materials, unless particles come with theirs (asperity_engine.h). Reads
- * the file of a measured wall unless the caller has set its heights. The wall needs neither
+/* A wall of a description, for diameters from d_least to d_most in its units; they are used only
+ * if asp_description_needs_sizes, otherwise they may be 0. ASP_EARG if the law needs a pair and
+ * the description has no two materials, unless particles come with theirs (asperity_engine.h).
+ * Reads the file of a measured wall unless the caller has set its heights. The wall needs neither
  * description nor heights any longer. */
 asp_wall *asp_wall_create(const asp_description *description, double d_least, double d_most,
                           asp_error *error);
@@ -230,14 +231,14 @@ double asp_wall_slope(const asp_wall *wall, double d_p);
  * any one unit. */
 typedef struct asp_heights asp_heights;
 
-/* From z[rows * columns], row after row, which are copied: numbers, at least three in a row, and
- * one row or at least three. step_x: between the points of a row; step_y: between rows, not used
+/* Copies z[rows * columns], row after row: at least three finite numbers per row, and one row or at
+ * least three. step_x: between the points of a row; step_y: between rows, not used
  * for one row. */
 asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, double step_x,
                                 double step_y, bool periodic, asp_error *error);
 void asp_heights_free(asp_heights *heights);
 
-/* Heights in numbers. Of a map s_q to s_tr are those of ISO 25178-2 without a filter; of a profile
+/* Heights in numbers. For a map, s_q to s_tr follow ISO 25178-2 without a filter; for a profile,
  * s_q, s_a and s_dq are R_q, R_a and R_dq of ISO 21920-2. */
 typedef struct asp_heights_numbers {
   double mean;
@@ -252,13 +253,13 @@ typedef struct asp_heights_numbers {
 } asp_heights_numbers;
 
 /* ASP_EDATA when the heights are constant, or too few for their autocorrelation to fall to 1/e
- * within half the length in any direction. Where it falls along some directions of a map only, the
- * ellipse is that of these, and s_tr is NaN. */
+ * within half the length in any direction. If it does so in some directions of a map only, the
+ * ellipse is fitted to these, and s_tr is NaN. */
 asp_code asp_heights_describe(const asp_heights *heights, asp_heights_numbers *numbers,
                               asp_error *error);
 
 /* Heights in place of the file of `surface profile FILE` (one row) or `surface map FILE` (more);
- * they must live as long as the description. ASP_EARG where the surface is another one. */
+ * they must live as long as the description. ASP_EARG if the surface is not of that kind. */
 asp_code asp_description_set_heights(asp_description *description, const asp_heights *heights,
                                      asp_error *error);
 
@@ -271,10 +272,10 @@ int asp_description_materials(const asp_description *description);
 const asp_material *asp_description_material(const asp_description *description, int index);
 
 /* A material. Its numbers, by name: youngs_modulus (Pa, > 0), poissons_ratio (more than -1, less
- * than 0.5), density (kg/m^3, > 0), yield_stress (Pa; 0 where there is no value: it counts for the
- * particle only). Those of a material of your own may be in any consistent units. */
+ * than 0.5), density (kg/m^3, > 0), yield_stress (Pa; 0 if unknown; used for the particle only).
+ * Your own materials may use any consistent units. */
 
-/* A material of your own, all of whose numbers are still 0. */
+/* A material of your own; its numbers are 0 until you set them. */
 asp_material *asp_material_create(const char *name, asp_error *error);
 void asp_material_free(asp_material *material);
 asp_code asp_material_set(asp_material *material, const char *name, double value, asp_error *error);
@@ -284,25 +285,24 @@ double asp_material_get(const asp_material *material, const char *name); /* NaN 
  *   modulus         composite modulus E_c = 1/((1-nu_p^2)/E_p + (1-nu_w^2)/E_w); only to get
  *   yield_stress    the particle's, >= 0
  *   surface_energy  half of the work of adhesion, energy per area, >= 0; 0: no adhesion
- *                   (ASP_SURFACE_ENERGY, which is in SI: set it where the materials are in other
- *                   units)
+ *                   (default ASP_SURFACE_ENERGY, in SI: set it if the materials use other units)
  *   friction        coefficient of friction, >= 0 (ASP_FRICTION) */
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall, asp_error *error);
 void asp_pair_free(asp_pair *pair);
 asp_code asp_pair_set(asp_pair *pair, const char *name, double value, asp_error *error);
 double asp_pair_get(const asp_pair *pair, const char *name); /* NaN for another name */
 
-/* Defaults where a user gives none. */
+/* Defaults. */
 #define ASP_FRICTION 0.3       /* Bons et al. 2017, secondary source */
 #define ASP_SURFACE_ENERGY 0.8 /* J/m^2, Bons et al. 2017, recalled, original not seen */
 
-/* A pair of materials that are in the description's units, with its friction, surface energy and
- * yield stress; where it gives none ASP_FRICTION, ASP_SURFACE_ENERGY (0 where the units are not
- * known) and the particle's own. */
+/* A pair of materials in the description's units, with the description's friction, surface energy
+ * and yield stress. Defaults: ASP_FRICTION, ASP_SURFACE_ENERGY (0 if the units are unknown), and
+ * the particle's own yield stress. */
 asp_pair *asp_description_pair(const asp_description *description, const asp_material *particle,
                                const asp_material *target, asp_error *error);
 
-/* The pair of the first two materials of the description, the particle's and the wall's; NULL where
+/* The pair of the first two materials of the description, the particle's and the wall's; NULL if
  * there are fewer, or the law takes none. */
 const asp_pair *asp_wall_pair(const asp_wall *wall);
 

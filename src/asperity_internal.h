@@ -27,26 +27,12 @@ enum { ASP_BINS_MAX = 256 }; /* diameters that a measured wall can be prepared f
 int asp_spread_count(void);
 const asp_spread_model *asp_spread_at(int index);
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error);
-const char *asp_spread_summary(const asp_spread_model *model);
-const char *asp_spread_source(const asp_spread_model *model);
 
 /* ---- rebound laws ---------------------------------------------------------------------------- */
 int asp_rebound_count(void);
 const asp_rebound_law *asp_rebound_at(int index);
 const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error);
 const char *asp_rebound_name(const asp_rebound_law *law);
-
-/* A parameter of a law, which asp_description_set sets. */
-typedef struct asp_parameter {
-  const char *name;
-  const char *unit; /* the kind of its unit, as "stress"; "" for none */
-  double fallback;  /* the value where the user gives none */
-  double least, most;
-  const char *text;    /* what it is, its source, and whether the original was seen */
-  const char *keyword; /* script word that introduces this parameter; consecutive ones may share it.
-                          NULL: it follows the law's name */
-  const char *words;   /* those for the values 0, 1 ..., separated by blanks; NULL: a number */
-} asp_parameter;
 
 /* ---- materials ------------------------------------------------------------------------------- */
 /* The presets. */
@@ -96,7 +82,7 @@ void asp_surface_free(asp_surface *surface);
 double asp_surface_face_length(const asp_surface *surface, double d_p);
 
 /* Bytes of a struct, by its name without asp_, for a caller that lays it out by itself: body,
- * coefficients, error, impact, key, lay, particle, question. 0 for another name. */
+ * coefficients, error, impact, key, lay, particle, check_input. 0 for another name. */
 size_t asp_struct_size(const char *name);
 
 #if defined(__GNUC__)

@@ -32,8 +32,8 @@ typedef struct angle_fit {
 } angle_fit;
 
 /* The wall as a model looks at it. */
-static aspi_view view_of(const angle_fit *f) {
-  return aspi_view_of(f->sigma, f->alpha1);
+static aspi_spread_input view_of(const angle_fit *f) {
+  return aspi_spread_input_of(f->sigma, f->alpha1);
 }
 
 static double place_of(int bin) {
@@ -77,7 +77,7 @@ static void fit_weibull(const double *count, double n, double *k, double *lambda
 
 static void sample(const angle_fit *f, size_t samples, asp_key key, double *count) {
   const asp_spread_model *baseline = asp_spread_find("rejection", NULL);
-  aspi_view view = view_of(f);
+  aspi_spread_input view = view_of(f);
   aspi_stream stream = aspi_stream_begin(&key);
   for (int i = 0; i < FIT_BINS; i++)
     count[i] = 0;
@@ -116,7 +116,7 @@ static bool judges(const asp_spread_model *model) {
 /* D_KL of the samples against a model's law, less the samples' bias. A bin that the model does not
  * reach counts as 1e-9. */
 static double divergence(const angle_fit *f, const asp_spread_model *model) {
-  aspi_view view = view_of(f);
+  aspi_spread_input view = view_of(f);
   double sum = 0, bins = 0, step = f->sigma * FIT_REACH / FIT_BINS, low = 0;
   for (int i = 0; i < FIT_BINS; i++) {
     double high = model->distribution(&view, -f->alpha1 / 2 + (i + 1) * step);

@@ -63,8 +63,8 @@ static double divergence_without(aspi_angle_groups reference, aspi_angle_groups 
   return sum;
 }
 
-aspi_estimate aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_groups model,
-                                     size_t histogram) {
+aspi_mean_error aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_groups model,
+                                       size_t histogram) {
   double n = (double)reference.n, mean = 0, square = 0, bias = 0;
   double whole = divergence_without(reference, model, histogram, reference.n);
   for (size_t g = 0; g < reference.n; g++) {
@@ -75,11 +75,11 @@ aspi_estimate aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_gro
   for (int i = 0; i < ASPI_ANGLE_BINS && model.n == 1; i++)
     bias += (member(model.at, histogram)[i] > 0) / (2 * model.at->n);
   bias -= model.n == 1 ? 1 / (2 * model.at->n) : 0;
-  return (aspi_estimate){whole - (n - 1) * mean - bias,
-                         sqrt((n - 1) * fmax(0, square - mean * mean))};
+  return (aspi_mean_error){whole - (n - 1) * mean - bias,
+                           sqrt((n - 1) * fmax(0, square - mean * mean))};
 }
 
-aspi_estimate aspi_angles_mean(aspi_angle_groups groups, size_t sum) {
+aspi_mean_error aspi_angles_mean(aspi_angle_groups groups, size_t sum) {
   double n = (double)groups.n, mean = 0, square = 0;
   for (size_t g = 0; g < groups.n; g++) {
     const aspi_angles *a = &groups.at[g * groups.stride];
@@ -87,5 +87,5 @@ aspi_estimate aspi_angles_mean(aspi_angle_groups groups, size_t sum) {
     mean += value / n;
     square += value * value / n;
   }
-  return (aspi_estimate){mean, sqrt(fmax(0, square - mean * mean) / (n - 1))};
+  return (aspi_mean_error){mean, sqrt(fmax(0, square - mean * mean) / (n - 1))};
 }

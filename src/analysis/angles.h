@@ -23,9 +23,9 @@ void aspi_angles_add(aspi_angles *angles, const double v2[3], double tilt, int h
 void aspi_angles_merge(aspi_angles *to, const aspi_angles *from);
 
 /* A number with its standard error. */
-typedef struct aspi_estimate {
+typedef struct aspi_mean_error {
   double value, se;
-} aspi_estimate;
+} aspi_mean_error;
 
 /* Groups of rebounds at one impact angle: group g is at[g * stride]. */
 typedef struct aspi_angle_groups {
@@ -37,10 +37,10 @@ typedef struct aspi_angle_groups {
  * reference's groups, which takes out the bias of histograms (Quenouille 1956). For a model with
  * the same number of groups, its groups are left out too; for a model in one group the bias is
  * (bins - 1)/2n. A bin that the model never fills counts as half an impact there. */
-aspi_estimate aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_groups model,
-                                     size_t histogram);
+aspi_mean_error aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_groups model,
+                                       size_t histogram);
 
 /* The mean over the groups of one of the sums, per rebound. */
-aspi_estimate aspi_angles_mean(aspi_angle_groups groups, size_t sum);
+aspi_mean_error aspi_angles_mean(aspi_angle_groups groups, size_t sum);
 
 #endif

@@ -14,8 +14,8 @@ enum { TIMES = 10, SAMPLES_LEAST = 2000, SAMPLES_MOST = 20000 };
 /* Assumed error of a mean whose error is unknown, until the fit estimates it. */
 #define ERROR_UNKNOWN 0.01
 
-/* And for the number of impacts where only their scatter is known: that of means and that of
- * standard deviations then count alike. */
+/* Assumed number of impacts if only the scatter is known: means and standard deviations then have
+ * equal weight. */
 #define IMPACTS_UNKNOWN 20
 
 /* With fewer impacts than this, a bin's own scatter counts less than that of all bins. */
@@ -43,12 +43,12 @@ static void take_means(aspi_calibration *c, aspi_calibration_bin *bin) {
     m->of[MOMENT_XX + k] = pow(row->sd[k] * by[k], 2);
     m->covariance[k][k] = pow(sd * by[k], 2);
     m->covariance[MOMENT_XX + k][MOMENT_XX + k] = 2 * pow(m->covariance[k][k], 2); /* if normal */
-    c->known = c->known && (counted || row->se[k] > 0 || !bin->used[MOMENT_X + k]);
-    bin->by_data = bin->by_data || (bin->used[MOMENT_X + k] && m->all <= 1);
+    c->has_errors = c->has_errors && (counted || row->se[k] > 0 || !bin->used[MOMENT_X + k]);
+    bin->data_weighted = bin->data_weighted || (bin->used[MOMENT_X + k] && m->all <= 1);
   }
 }
 
-/* The impacts of a bin's rows, and which of their moments there are. False: out of memory. */
+/* Reads the impacts of a bin, and notes which moments exist. False: out of memory. */
 static bool take_impacts(const aspi_calibration *c, aspi_calibration_bin *bin) {
   size_t rebounds = 0, deposits = 0;
   bool has[COR_BOTH] = {true, true};
@@ -73,7 +73,7 @@ static bool take_impacts(const aspi_calibration *c, aspi_calibration_bin *bin) {
   return xy != NULL;
 }
 
-/* Blends the covariances of one rebound with that of all bins. */
+/* Blends each bin's covariances with those pooled over all bins. */
 static void pool_covariances(aspi_calibration *c) {
   double pooled[MOMENT_STUCK][MOMENT_STUCK] = {{0}}, freedom = 0;
   for (int pass = 0; pass < 2; pass++)
@@ -105,7 +105,7 @@ asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error
   double most = 0;
   size_t n_moments = 0;
   bool fine = (c->bins = calloc(c->data.count, sizeof *c->bins));
-  c->known = true;
+  c->has_errors = true;
   if (fine)
     make_bins(c, width);
   for (size_t b = 0; b < c->n_bins && fine; b++) {

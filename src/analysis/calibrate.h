@@ -17,9 +17,9 @@ typedef struct aspi_unknown {
   const char *name;
   char unit[20]; /* of SI, as the description has it, or degrees */
   enum { OF_SURFACE, OF_PAIR, OF_LAW } kind;
-  double standard; /* the design of the search is around it, whatever the start */
+  double default_value; /* the design of the search is around it, whatever the start */
   double start, least, most;
-  bool bounded; /* between least and most, both finite and near: a logistic scale, else its log */
+  bool bounded; /* bounds at most 10 apart: logistic scale; otherwise logarithm */
   /* On that scale, on which 1 is a big change: the start, the bounds, the box of the design. */
   double scaled_start, low, high, from, to;
 } aspi_unknown;
@@ -41,7 +41,7 @@ typedef struct aspi_calibration_bin {
   double degrees;
   aspi_bin_moments moments;
   bool used[MOMENTS];
-  bool by_data; /* the errors of the means are given and taken as they are */
+  bool data_weighted; /* the data state the errors of the means */
 } aspi_calibration_bin;
 
 typedef struct aspi_calibration {
@@ -59,8 +59,9 @@ typedef struct aspi_calibration {
   double noise[COR_BOTH], noise_speed;
   size_t samples;
   uint32_t seed;
-  bool smooth, sticks, known; /* known: the errors of the data are stated and need no scale */
-  bool moves;                 /* the surface is unknown */
+  bool smooth, sticks,
+      has_errors; /* has_errors: the errors of the data are stated and need no scale */
+  bool moves;     /* the surface is unknown */
   void (*progress)(void *context, double share); /* may be NULL */
   void *progress_context;
 } aspi_calibration;
@@ -75,7 +76,7 @@ typedef struct aspi_fit {
   bool described, converged;
 } aspi_fit;
 
-/* The value on the scale on which an unknown is looked for, and d value/d scaled. */
+/* The value of a scaled unknown, and d value/d scaled. */
 double aspi_unknown_value(const aspi_unknown *u, double scaled);
 double aspi_unknown_slope(const aspi_unknown *u, double scaled);
 
@@ -94,11 +95,12 @@ aspi_bin_moments aspi_calibration_moments(double (*xy)[COR_BOTH], size_t rebound
  * than unknowns. */
 asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error *error);
 
-/* Finds the unknowns and leaves the wall at them. ASP_ENOMEM, or ASP_EDATA: no values make a wall.
- * Least squares of simulated moments (McFadden 1989), by GSL's nonlinear fit from the best points
- * of a design and from the caller's start, with weights of the data. Where the number of impacts is
- * known, the fit goes on with the model's covariance as weights, which few impacts cannot give
- * (quasi-likelihood, Wedderburn 1974), if the model then describes the data. */
+/* Finds the unknowns and sets the wall to them. ASP_ENOMEM, or ASP_EDATA: no values make a wall.
+ * Least squares of simulated moments (McFadden 1989), by GSL's nonlinear fit from the caller's
+ * start and from points in a box around the default values, with weights of the data. If the number
+ * of impacts is known, a second fit uses the model's covariance as weights, which few impacts
+ * cannot give (quasi-likelihood, Wedderburn 1974); it counts if the model then describes the data.
+ */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
 /* Means and standard deviations of the model's CoR_N and CoR_T at the mean angle of a bin. False:

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Draws of a group have numbers of their own. */
+/* Each bin has its own range of tags. */
 enum { TAGS_OF_A_BIN = 1 << 30 };
 
 double aspi_unknown_value(const aspi_unknown *u, double scaled) {
@@ -43,7 +43,7 @@ bool aspi_calibration_set(const aspi_calibration *c, const double *scaled) {
   return made != NULL;
 }
 
-/* Adds noise to what was measured of a rebound: x and y are in shares of v1. */
+/* Adds measurement noise to a rebound: x and y are shares of v1. */
 static void add_noise(const aspi_calibration *c, const double *normal, double *x, double *y) {
   double angle = atan2(*x, *y) + aspi_radians(c->noise[1]) * normal[1];
   double speed =
@@ -73,7 +73,7 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
   asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
   if (impact.outcome == ASP_DEPOSIT)
     return false;
-  /* With v1 along the normal there is no plane of incidence: what is off the normal is all along.
+  /* With v1 along the normal there is no plane of incidence: the whole tangential velocity counts.
    */
   bool all = c->data.view == ASPI_IN_SPACE || !(v1[0] > 0);
   xy[COR_N] = impact.v2[2] / v;
@@ -85,8 +85,8 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
   return true;
 }
 
-/* The row of impact i of some at the places of a bin. All rows come equally often, or spread over
- * the bin where there are fewer impacts: rows are in order of their angle. */
+/* The row whose place impact i has. All rows come equally often; fewer impacts than rows are spread
+ * over the bin, because rows are in order of their angle. */
 static const aspi_scatter_row *row_of(const aspi_calibration *c, const aspi_calibration_bin *bin,
                                       size_t i, size_t samples) {
   double share = ((double)i + 0.5) / (double)samples;

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Places are the same that differ by less: in degrees, and as a share. */
+/* Tolerances of equal places: degrees, and relative. */
 #define SAME_ANGLE 1e-4
 #define SAME_SHARE 1e-4
 
@@ -18,7 +18,7 @@ enum { ENOUGH = 20 };
 enum { ROWS_EACH = 4 };
 #define NEARLY_ALL 0.9
 
-/* How many of the points, which are in order of their angle, lie below it. */
+/* Number of impacts below an angle; impacts are in order of their angle. */
 static size_t count_below(const aspi_scatter *impacts, double angle) {
   size_t low = 0, high = impacts->count;
   while (low < high) {
@@ -32,8 +32,8 @@ static size_t count_below(const aspi_scatter *impacts, double angle) {
 }
 
 /* An unknown one is near any. */
-static bool is_near(double is, double wanted, double share) {
-  return isnan(is - wanted) || fabs(is - wanted) <= share * wanted;
+static bool is_near(double value, double wanted, double share) {
+  return isnan(value - wanted) || fabs(value - wanted) <= share * wanted;
 }
 
 static bool same_place(const aspi_scatter_row *a, const aspi_scatter_row *b) {
@@ -45,7 +45,7 @@ static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
 
-/* ---- what tells impacts apart ---- */
+/* ---- borders between impacts ---- */
 
 static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
 
@@ -91,8 +91,8 @@ void aspi_compare_apart_free(aspi_apart *apart) {
 /* ---- the bins' rows ---------------------------------------------------------------------------
  */
 
-/* Whether places were measured again and again. A ledger of a curved wall has some such places, and
- * many that were hit once. */
+/* True if places were measured repeatedly. A ledger of a curved wall has some such places, and many
+ * that were hit once. */
 static bool is_of_places(const aspi_scatter *data) {
   size_t places = 0, often = 0;
   double before = 0;
@@ -141,7 +141,7 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
 /* ---- impacts at a place -----------------------------------------------------------------------
  */
 
-/* The impacts that weigh in a bin, and how much. */
+/* Weights of the impacts in a bin. */
 typedef struct weights {
   double *of;    /* of each impact */
   size_t *which; /* those that have a weight */
@@ -163,7 +163,7 @@ static double count_near(const aspi_scatter *impacts, const aspi_scatter_row *at
   return found;
 }
 
-/* Gives the impacts around a place, no farther than that, a weight of `rows` together. */
+/* Spreads the weight `rows` over the impacts within `far` of a place. */
 static void weigh(const aspi_scatter *impacts, const aspi_scatter_row *at,
                   const aspi_compare_reach *far, double rows, weights *w) {
   double each = rows / count_near(impacts, at, far);
@@ -212,7 +212,7 @@ static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, 
   return true;
 }
 
-/* The measured impacts, or means. An sd without the number of impacts counts as of one. */
+/* The measured impacts, or means. An sd without a number of impacts counts as one impact. */
 static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
   const aspi_scatter_row *row = &data->rows[b->first];
   aspi_side *side = &b->data;

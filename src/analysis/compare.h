@@ -1,9 +1,9 @@
 /* Impacts of a model or a simulation at the places (angle, speed, size) of measurements, and how
  * far apart both are: means, standard deviations, shares of deposits, and one score of them all.
  *
- * Each measured impact is compared with the model's impacts at its own place: those that have its
- * angle (and speed, and size), or else those near it, which together weigh as much as it does. So
- * a bin of measurements at different angles has a model sample of the same angles.
+ * Each measured impact is compared with model impacts at the same angle (and speed, and size), or
+ * with the nearest ones, which together get the weight of one impact. A bin of measurements at
+ * different angles therefore has a model sample of the same angles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_ANALYSIS_COMPARE_H
@@ -17,7 +17,7 @@
  * impacts there. */
 typedef struct aspi_compare_bin {
   size_t first, end;       /* rows of the data */
-  double degrees, v1, d_p; /* their mean place; NAN where there is none */
+  double degrees, v1, d_p; /* their mean place; NAN if unknown */
   double from, to;         /* the angles that impacts were taken from */
   aspi_side model, data;
 } aspi_compare_bin;
@@ -28,7 +28,7 @@ typedef struct aspi_comparison {
   aspi_scatter data; /* of impacts alone, these */
   aspi_compare_bin *bins;
   size_t count;
-  aspi_estimate score;
+  aspi_mean_error score;
 } aspi_comparison;
 
 /* Tolerances for matching model impacts to a measurement: degrees, relative speed, relative size.
@@ -37,19 +37,19 @@ typedef struct aspi_compare_reach {
   double degrees, speed, size;
 } aspi_compare_reach;
 
-/* What the bins and the measurements tell apart of the model's impacts: the borders of all places
- * of the data and of what is near them. To be freed. */
+/* The borders of all measured places and of their surroundings: model impacts between the same
+ * borders are equivalent. To be freed. */
 asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *far,
                             aspi_apart *apart, asp_error *error);
 void aspi_compare_apart_free(aspi_apart *apart);
 
-/* A bin for each row of means; of impacts for each interval of angles of that width in degrees. Not
- * `given` by the user, the width does not count where many impacts were measured at each place:
- * each place is a bin then. */
+/* A bin for each row of means, or for each interval of angles of that width in degrees. If many
+ * impacts were measured at each place, each place is a bin, unless the width is `given` by the
+ * user. */
 asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, asp_error *error);
 
-/* Fills the bins; the impacts are in order of their angle. far NULL: the data are the impacts
- * themselves, which are the model's sample; there are no others then. */
+/* Fills the bins; the impacts are in order of their angle. If far is NULL, the measured impacts are
+ * also the model's sample. */
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error);
 
 #endif

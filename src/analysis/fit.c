@@ -8,16 +8,12 @@
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_multifit_nlinear.h>
-#include <gsl/gsl_qrng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Points of the design, searches from the best of them, and their simulated impacts per bin. */
-enum { PROBES = 256, STARTS = 4, SEARCH_SAMPLES = 200 };
-
-/* Least distance of two starts on the scale. */
-#define APART 1.0
+/* Searches at most, and their simulated impacts per bin. */
+enum { STARTS_MOST = 2 * FIT_UNKNOWNS_MOST + 2, SEARCH_SAMPLES = 200 };
 
 /* Searches that end within this of the best sum of squares agree. */
 #define AGREED 1.0
@@ -44,7 +40,7 @@ enum { ROUNDS = 12 };
 /* Halvings to an end of an interval next to a bound, and the steps of the fit in each. */
 enum { HALVINGS = 10, HALVING_STEPS = 2 };
 
-/* Residual of each moment if there is no model with the values of the unknowns. */
+/* Residual of each moment if the values of the unknowns make no wall. */
 #define NOT_A_MODEL 1e5
 
 /* Share of each variance that is added to it, as a simulation does not resolve combinations of
@@ -52,9 +48,8 @@ enum { HALVINGS = 10, HALVING_STEPS = 2 };
 #define RIDGE 1e-3
 #define FLOOR 1e-14
 
-/* The box in which the search looks for starts, and bounds of the search, of an unknown without
- * bounds of its own: as logarithms of shares of its standard value; and on the logistic scale of
- * one with bounds. */
+/* The box of the starts, and the bounds of the search. Unknown without bounds: as logarithms of
+ * shares of its default value; with bounds: on the logistic scale. */
 #define LOG_AROUND 2.5
 #define LOG_FAR 9.2
 #define LOGISTIC_AROUND 3.5
@@ -76,10 +71,10 @@ static double scale_of(const aspi_unknown *u, double value) {
   return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
 }
 
-/* Sets the search range: around the standard value, or around a start far from that. */
+/* Sets the search range: around the default value, or around a start far from that. */
 static void bound_search(aspi_unknown *u) {
   double start = scale_of(u, u->start), around = u->bounded ? LOGISTIC_AROUND : LOG_AROUND;
-  double center = u->bounded ? 0 : log(u->standard);
+  double center = u->bounded ? 0 : log(u->default_value);
   if (!(fabs(start - center) < around) && !u->bounded)
     center = start;
   u->low = u->bounded ? -LOGISTIC_FAR : fmax(center - LOG_FAR, log(u->least));
@@ -101,7 +96,8 @@ static void limit(const search *s, double *at) {
  * second term is that of variances of few impacts. */
 static double covariance(const aspi_calibration_bin *bin, const aspi_bin_moments *model, int k,
                          int l) {
-  const aspi_bin_moments *data = &bin->moments, *scatter = model && !bin->by_data ? model : data;
+  const aspi_bin_moments *data = &bin->moments,
+                         *scatter = model && !bin->data_weighted ? model : data;
   double n = data->rebounds;
   if (k == MOMENT_STUCK || l == MOMENT_STUCK) {
     double share = (data->all * (model ? model : data)->of[MOMENT_STUCK] + 0.5) / (data->all + 1);
@@ -212,8 +208,8 @@ static void find_errors(gsl_multifit_nlinear_workspace *solver, size_t p, aspi_f
       fit->correlation[j][k] = of_all[j * p + k] / (fit->error[j] * fit->error[k]);
 }
 
-/* Least squares from there on; returns the sum, INFINITY where there is no model. fit NULL: errors
- * are not needed. */
+/* Least squares from `at`; returns the sum, INFINITY if no values make a wall. fit NULL: no errors
+ * are needed. */
 static double descend(search *s, double *at, int steps, double close, aspi_fit *fit) {
   size_t p = s->problem->n_unknown;
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
@@ -240,76 +236,35 @@ static double descend(search *s, double *at, int steps, double close, aspi_fit *
 
 /* ---- the best start ---- */
 
-typedef struct probe {
-  double at[FIT_UNKNOWNS_MOST], squares;
-} probe;
-
-static int by_squares(const void *left, const void *right) {
-  const probe *a = left, *b = right;
-  return (a->squares > b->squares) - (a->squares < b->squares);
-}
-
 static void progress(const search *s, double share) {
   if (s->problem->progress)
     s->problem->progress(s->problem->progress_context, share);
 }
 
-/* Evaluates the points of a Sobol sequence and sorts them, the best first. */
-static bool design(search *s, probe *probes) {
-  const aspi_calibration *p = s->problem;
-  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)p->n_unknown);
-  gsl_vector *r = gsl_vector_alloc(s->n_moments);
-  for (int i = 0; i < PROBES && sequence && r; i++) {
-    double share[FIT_UNKNOWNS_MOST];
-    gsl_qrng_get(sequence, share);
-    for (size_t j = 0; j < p->n_unknown; j++)
-      probes[i].at[j] = p->unknown[j].from + share[j] * (p->unknown[j].to - p->unknown[j].from);
-    gsl_vector_view at = gsl_vector_view_array(probes[i].at, p->n_unknown);
-    residuals(&at.vector, s, r);
-    gsl_blas_ddot(r, r, &probes[i].squares);
-    progress(s, 0.2 * i / PROBES);
-  }
-  bool fine = sequence && r;
-  if (sequence)
-    gsl_qrng_free(sequence);
-  gsl_vector_free(r);
-  if (fine)
-    qsort(probes, PROBES, sizeof *probes, by_squares);
-  return fine;
-}
-
-static bool is_apart(const aspi_calibration *p, const probe *point, const probe *from, size_t n) {
-  for (size_t i = 0; i < n; i++) {
-    double square = 0;
-    for (size_t j = 0; j < p->n_unknown; j++)
-      square += pow(point->at[j] - from[i].at[j], 2);
-    if (square < APART * APART)
-      return false;
-  }
-  return true;
-}
-
-/* Finds the best end of a few searches, the last of which begins at the caller's start. */
+/* Finds the best end of a few searches. They begin at the caller's start, in the middle of the box,
+ * and halfway to each of its sides. */
 static asp_code look_around(search *s, aspi_fit *fit) {
   const aspi_calibration *p = s->problem;
-  probe probes[PROBES], ends[STARTS + 1];
-  if (!design(s, probes))
-    return ASP_ENOMEM;
-  for (int i = 0; i < PROBES && fit->starts < STARTS; i++)
-    if (is_apart(p, &probes[i], ends, fit->starts))
-      ends[fit->starts++] = probes[i];
-  for (size_t j = 0; j < p->n_unknown; j++)
-    ends[fit->starts].at[j] = p->unknown[j].scaled_start;
-  fit->starts++;
-  for (size_t i = 0; i < fit->starts; i++) {
-    ends[i].squares = descend(s, ends[i].at, STEPS, 5e-3, NULL);
-    progress(s, 0.2 + 0.4 * (double)i / (double)fit->starts);
+  double best = INFINITY, squares[STARTS_MOST];
+  const size_t starts = 2 * p->n_unknown + 2;
+  for (size_t i = 0; i < starts; i++) {
+    double at[FIT_UNKNOWNS_MOST];
+    for (size_t j = 0; j < p->n_unknown; j++) {
+      const aspi_unknown *u = &p->unknown[j];
+      double side = i / 2 == j + 1 ? (i % 2 ? 0.25 : -0.25) : 0;
+      at[j] = i == 0 ? u->scaled_start : (u->from + u->to) / 2 + side * (u->to - u->from);
+    }
+    squares[i] = descend(s, at, STEPS, 5e-3, NULL);
+    if (squares[i] < best) {
+      best = squares[i];
+      memcpy(fit->at, at, sizeof fit->at);
+    }
+    progress(s, 0.6 * (double)i / (double)starts);
   }
-  qsort(ends, fit->starts, sizeof *ends, by_squares);
-  for (size_t i = 0; i < fit->starts; i++)
-    fit->agreed += ends[i].squares <= ends[0].squares + AGREED;
-  memcpy(fit->at, ends[0].at, sizeof fit->at);
-  return isfinite(ends[0].squares) ? ASP_OK : ASP_EDATA;
+  fit->starts = starts;
+  for (size_t i = 0; i < starts; i++)
+    fit->agreed += squares[i] <= best + AGREED;
+  return isfinite(best) ? ASP_OK : ASP_EDATA;
 }
 
 /* ---- the result ---- */
@@ -336,8 +291,8 @@ static bool settle(search *s, aspi_fit *fit) {
   return isfinite(fit->chi2);
 }
 
-/* The fit with weights of the data, and that with weights of the model if it describes them: one
- * that scatters too little would take its misfit for certain. */
+/* The fit with weights of the data, then one with weights of the model if it describes the data. A
+ * model with too little scatter would give its own misfit too much weight. */
 static asp_code fit_all(search *s, aspi_fit *fit, bool by_model) {
   fit->chi2 = descend(s, fit->at, STEPS, CLOSE, fit);
   fit->dof = (double)(s->n_moments - s->problem->n_unknown);
@@ -369,7 +324,7 @@ static bool is_above(search *s, const aspi_fit *fit, double rise, size_t j, doub
 }
 
 /* The value of an unknown, on the side of a bound, where chi^2 is higher by that rise. */
-static double end_of(search *s, const aspi_fit *fit, double rise, size_t j, double bound) {
+static double interval_end(search *s, const aspi_fit *fit, double rise, size_t j, double bound) {
   double inner = fit->at[j], outer = bound;
   for (int i = 0; i < HALVINGS; i++) {
     double middle = (inner + outer) / 2;
@@ -385,9 +340,9 @@ static void find_intervals(search *s, aspi_fit *fit) {
   double n = 0;
   for (size_t b = 0; b < p->n_bins; b++)
     n += p->bins[b].moments.all;
-  bool scaled = (!p->known || !fit->described) && fit->dof > 0;
+  bool scaled = (!p->has_errors || !fit->described) && fit->dof > 0;
   double wide = scaled ? sqrt(fit->chi2 / fit->dof) : 1;
-  double freedom = fmax(1, (p->known ? n : (double)s->n_moments) - (double)p->n_unknown);
+  double freedom = fmax(1, (p->has_errors ? n : (double)s->n_moments) - (double)p->n_unknown);
   double both = gsl_cdf_tdist_Pinv(0.975, freedom) * wide;
   double one = gsl_cdf_tdist_Pinv(0.95, freedom) * wide;
   for (size_t j = 0; j < p->n_unknown; j++) {
@@ -397,8 +352,8 @@ static void find_intervals(search *s, aspi_fit *fit) {
     bool has_low = is_above(s, fit, both * both, j, s->low[j]);
     bool has_high = is_above(s, fit, both * both, j, s->high[j]);
     if (!has_low || !has_high) {
-      *low = has_low ? end_of(s, fit, one * one, j, s->low[j]) : -INFINITY;
-      *high = has_high ? end_of(s, fit, one * one, j, s->high[j]) : INFINITY;
+      *low = has_low ? interval_end(s, fit, one * one, j, s->low[j]) : -INFINITY;
+      *high = has_high ? interval_end(s, fit, one * one, j, s->high[j]) : INFINITY;
     }
   }
   for (size_t j = 0; j < p->n_unknown; j++)
@@ -416,7 +371,7 @@ static asp_code find(search *s, aspi_fit *fit) {
   asp_code code = look_around(s, fit);
   s->samples = p->samples;
   if (!code)
-    code = fit_all(s, fit, p->known && (!p->smooth || noisy));
+    code = fit_all(s, fit, p->has_errors && (!p->smooth || noisy));
   if (!code)
     find_intervals(s, fit);
   return !code && !set_model(s, fit->at) ? ASP_EDATA : code;

@@ -24,7 +24,7 @@ size_t aspi_put_together(void *items, size_t count, size_t size,
   return (size_t)(last - first) / size + 1;
 }
 
-/* Twice the number of borders below a value, and one more where it is on one; -1 for none. */
+/* Twice the number of borders below a value, plus 1 if it is on a border; -1: no value. */
 static double place_among(const double *border, size_t count, double value) {
   size_t low = 0, high = count;
   while (low < high) {
@@ -48,7 +48,7 @@ void aspi_scatter_key(const aspi_scatter *s, aspi_scatter_row *row) {
       row->key[d] = isnan(place[d]) ? -1 : place[d];
 }
 
-/* Which coefficients there are, and deposits. */
+/* Bits: coefficients present, and deposit. */
 static int kind_of(const aspi_scatter_row *row) {
   return isnan(row->cor[COR_N]) + 2 * isnan(row->cor[COR_T]) + 4 * isnan(row->cor[REBOUND_ANGLE]) +
          8 * row->deposit;
@@ -111,7 +111,7 @@ void aspi_scatter_gather(aspi_scatter *s) {
 
 /* ---- bins ---- */
 
-/* A step of the angle that parts two clusters. */
+/* A step between angles that separates two clusters. */
 static bool is_gap(const aspi_scatter_row *row, double width) {
   return row->degrees - row[-1].degrees > 0.5 * width;
 }

@@ -10,15 +10,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Both coefficients, and for data that have neither the angle of the rebound, in degrees. */
+/* Both coefficients, or for data without them the angle of the rebound, degrees. */
 enum { COR_N, COR_T, COR_BOTH, REBOUND_ANGLE = COR_BOTH, ASPI_COMPARED };
 
-/* NAN where there is no number. Of an impact, cor are its coefficients, se their measurement
- * errors. Of a mean, cor are means, sd standard deviations, se standard errors, n the number of
- * impacts.
+/* NAN: no number. Row of an impact: cor are its coefficients, se their measurement errors. Row of
+ * means: cor are means, sd standard deviations, se standard errors, n the number of impacts.
  *
- * A row may be of `rows` impacts that have the same key, of which it is: then the place is their
- * mean, and power[k][p] the sum of (x - cor[k])^(p + 1), product that of both differences. */
+ * A row may stand for `rows` impacts with the same key. Its place is then their mean, power[k][p]
+ * the sum of (x - cor[k])^(p + 1), and product the sum of the products of both differences. */
 typedef struct aspi_scatter_row {
   double degrees, v1, d_p; /* SI */
   double cor[ASPI_COMPARED], sd[ASPI_COMPARED], se[ASPI_COMPARED], n;
@@ -32,13 +31,13 @@ static inline double aspi_scatter_interval(const aspi_scatter_row *row, double w
   return floor(fmin(row->degrees, 90 - 1e-6) / width + ASPI_ROUNDING_TEXT);
 }
 
-/* How rebounds were seen: in the plane of incidence, as by one camera from the side, so that CoR_T
- * has a sign; or in space, where it is of the whole speed along the wall. */
+/* View of the rebounds: in the plane of incidence, as by one camera from the side, where CoR_T has
+ * a sign; or in space, where CoR_T uses the whole speed along the wall. */
 typedef enum aspi_rebound_view { ASPI_IN_PLANE, ASPI_IN_SPACE, ASPI_VIEWS } aspi_rebound_view;
 
-/* What tells impacts apart that are not kept one by one: their angle, speed and size, as numbers or
- * by the borders between which they are. Or intervals of their angle, at once or where there are
- * more places than `places`. */
+/* How impacts are grouped if not kept one by one: by angle, speed and size, as numbers or by the
+ * borders they lie between; or by intervals of the angle, at once or with more than `places`
+ * places. */
 typedef struct aspi_apart {
   double *border[3]; /* in order; NULL: as numbers */
   size_t count[3], places;
@@ -58,26 +57,25 @@ typedef struct aspi_scatter {
   aspi_rebound_view view;
 } aspi_scatter;
 
-/* True if a row, not the first one, joins the bin of the row before it, in order of their angle:
- * that of the same interval. Impacts that were made at few angles, in clusters narrower than the
- * width with gaps of over half of it between them, are binned by these: a border may lie within a
- * cluster. */
+/* True if a row (not the first) joins the bin of the row before it; rows are in order of their
+ * angle. Bins are intervals, or clusters of angles that are narrower than the width and more than
+ * half of it apart, because a border may lie within a cluster. */
 bool aspi_scatter_joins(const aspi_scatter *scatter, size_t row, double width, bool clusters);
 bool aspi_scatter_is_clustered(const aspi_scatter *scatter, double width);
 
 /* Sets the key of a row. */
 void aspi_scatter_key(const aspi_scatter *s, aspi_scatter_row *row);
 
-/* Makes one row of two that have the same key; false if they have not. */
+/* Merges two rows with the same key; false if the keys differ. */
 bool aspi_scatter_merge(aspi_scatter_row *to, const aspi_scatter_row *more);
 
-/* Makes one row of all that have the same key. */
+/* Merges all rows with the same key. */
 void aspi_scatter_gather(aspi_scatter *s);
 
 /* Sums over a row of (x - center)^p, p from 1 to 4. */
 void aspi_scatter_about(const aspi_scatter_row *row, int k, double center, double sums[4]);
 
-/* In order of what `compare` says, makes one of all items that are equal; how many are left. */
+/* Sorts by `compare` and merges equal items; returns how many are left. */
 size_t aspi_put_together(void *items, size_t count, size_t size,
                          int (*compare)(const void *, const void *),
                          void (*add)(void *to, const void *more));

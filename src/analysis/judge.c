@@ -152,8 +152,8 @@ aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle) {
   return (aspi_angle_groups){judge->angles + angle, judge->groups, judge->count};
 }
 
-aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const aspi_angles *model,
-                                    size_t groups, size_t histogram) {
+aspi_mean_error aspi_judge_divergence(const aspi_judge *judge, size_t angle,
+                                      const aspi_angles *model, size_t groups, size_t histogram) {
   return aspi_angles_divergence(aspi_judge_groups(judge, angle),
                                 (aspi_angle_groups){model, groups, 1}, histogram);
 }

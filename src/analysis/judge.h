@@ -48,15 +48,15 @@ void aspi_judge_free(aspi_judge *judge);
 aspi_angle_groups aspi_judge_groups(const aspi_judge *judge, size_t angle);
 
 /* The divergence of a model with as many groups as the reference has, or one. */
-aspi_estimate aspi_judge_divergence(const aspi_judge *judge, size_t angle, const aspi_angles *model,
-                                    size_t groups, size_t histogram);
+aspi_mean_error aspi_judge_divergence(const aspi_judge *judge, size_t angle,
+                                      const aspi_angles *model, size_t groups, size_t histogram);
 
 /* ---- one model ---- */
 
 /* The wall of the case with that model and specular rebounds; NULL on error. */
 asp_wall *aspi_judge_wall(const aspi_judge_case *subject, const char *name, asp_error *error);
 
-/* A wall of some heights (NULL: none) in place of those of the case. */
+/* A wall with other heights (NULL: none) than the case's. */
 asp_wall *aspi_judge_wall_over(const aspi_judge_case *subject, const asp_heights *profile,
                                double d_p, const char *name, asp_error *error);
 
@@ -70,7 +70,7 @@ aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject, const asp
                                        double degrees);
 
 /* D_KL of a model's law of the first hit against the reference's, in bins of one degree; a bin that
- * the model cannot fill counts as 1e-6. NAN where the model has no distribution. */
+ * the model cannot fill counts as 1e-6. NAN if the model has no distribution. */
 double aspi_judge_first_hit(const aspi_first_hits *first, const asp_wall *wall, double d_p,
                             double degrees);
 

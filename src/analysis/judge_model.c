@@ -76,13 +76,13 @@ aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject, const asp
 static double share_between(const asp_wall *wall, double d_p, double alpha1, double low,
                             double high) {
   double slope = asp_surface_slope(wall->surface, d_p);
-  aspi_view view = {.slope = slope,
-                    .sigma = atan(slope),
-                    .alpha1 = alpha1,
-                    .d_p = d_p,
-                    .data = wall->data,
-                    .phi_r = asp_surface_phi_r(wall->surface),
-                    .kappa = asp_surface_kappa(wall->surface, d_p)};
+  aspi_spread_input view = {.slope = slope,
+                            .sigma = atan(slope),
+                            .alpha1 = alpha1,
+                            .d_p = d_p,
+                            .data = wall->data,
+                            .phi_r = asp_surface_phi_r(wall->surface),
+                            .kappa = asp_surface_kappa(wall->surface, d_p)};
   return wall->spread->distribution(&view, high) - wall->spread->distribution(&view, low);
 }
 

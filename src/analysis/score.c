@@ -99,7 +99,7 @@ static double add_difference(aspi_score *score, double difference, double error)
   return z;
 }
 
-/* Adds what two differences of that correlation have in common. */
+/* Adds the covariance of two differences with that correlation. */
 static void add_pair(aspi_score *score, const double z[], double correlation) {
   if (fabs(z[COR_N]) > 0 && fabs(z[COR_T]) > 0) {
     score->scatter += 2 * correlation * correlation;
@@ -126,8 +126,8 @@ void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *
   }
 }
 
-aspi_estimate aspi_score_end(const aspi_score *score) {
+aspi_mean_error aspi_score_end(const aspi_score *score) {
   double n = score->terms, value = score->square / n;
   double excess = value > 1 ? (value - 1) / value : 0;
-  return (aspi_estimate){value, sqrt(2 * score->scatter + 4 * excess * score->shift) / n};
+  return (aspi_mean_error){value, sqrt(2 * score->scatter + 4 * excess * score->shift) / n};
 }

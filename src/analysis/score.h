@@ -8,7 +8,7 @@
 #include "analysis/angles.h"
 #include "analysis/impacts.h"
 
-/* Fewer single impacts than this tell no standard error to divide by. */
+/* Fewer single impacts than this give no usable standard error. */
 enum { ASPI_SCORED_LEAST = 10 };
 
 /* The quantities of an impact: its numbers that are compared, and 1 for a deposit, 0 for a rebound.
@@ -21,7 +21,7 @@ typedef struct aspi_weighted {
   double weight;
 } aspi_weighted;
 
-/* A sample; NAN where it is too small for a number. size: effective sample size (Kish). _se are
+/* A sample; NAN if it is too small for a number. size: effective sample size (Kish). _se are
  * standard errors. */
 typedef struct aspi_sample {
   size_t count;
@@ -32,7 +32,7 @@ extern const aspi_sample aspi_sample_none;
 
 /* Samples of all quantities on one side, of the model or of the data. */
 typedef struct aspi_side {
-  aspi_weighted *impacts; /* NULL where there are only numbers */
+  aspi_weighted *impacts; /* NULL if there are only numbers */
   size_t count;
   aspi_sample of[ASPI_QUANTITIES];
   double correlation; /* of both coefficients; 0 where not known */
@@ -50,8 +50,8 @@ typedef struct aspi_score {
 /* Adds the differences of a bin. */
 void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *data);
 
-/* NAN where no difference has a known standard error. The standard error is that of a quadratic
+/* NAN if no difference has a known standard error. The standard error is that of a quadratic
  * form of normal differences. */
-aspi_estimate aspi_score_end(const aspi_score *score);
+aspi_mean_error aspi_score_end(const aspi_score *score);
 
 #endif

@@ -32,12 +32,12 @@ size_t aspi_drawn_order(aspi_drawn *drawn, size_t n, double *effective) {
     aspi_drawn *d = &drawn[i];
     bool again = i > 0 && !(d[-1].tag < d->tag);
     for (int k = ASPI_DERIVATIVE; k < ASPI_OTHER; k++)
-      d->before[k] = again ? d[-1].before[k] + d[-1].own[k] : 0;
-    d->before[ASPI_OTHER] = again ? d[-1].before[ASPI_OTHER] * d[-1].own[ASPI_OTHER] : 1;
+      d->prior[k] = again ? d[-1].prior[k] + d[-1].self[k] : 0;
+    d->prior[ASPI_OTHER] = again ? d[-1].prior[ASPI_OTHER] * d[-1].self[ASPI_OTHER] : 1;
     d->grain = grains;
     if (i + 1 < n && !(d->tag < d[1].tag))
       continue;
-    double weight = d->before[ASPI_OTHER] * d->own[ASPI_OTHER];
+    double weight = d->prior[ASPI_OTHER] * d->self[ASPI_OTHER];
     sum += weight;
     squares += weight * weight;
     grains++;
@@ -53,7 +53,7 @@ typedef struct average {
 } average;
 
 static double drawn_so_far(const aspi_drawn *d, int part) {
-  return part == ASPI_OTHER ? d->before[part] * d->own[part] : d->before[part] + d->own[part];
+  return part == ASPI_OTHER ? d->prior[part] * d->self[part] : d->prior[part] + d->self[part];
 }
 
 static average average_of(const aspi_drawn *drawn, size_t n, int result) {
@@ -74,14 +74,14 @@ static average average_of(const aspi_drawn *drawn, size_t n, int result) {
   return a;
 }
 
-/* Adds an impact to a sum. The mean over the other impacts times the impact's own score has mean 0
- * and is subtracted, for a smaller standard error (a control variate). */
+/* Adds an impact to a sum. Control variate: subtract (leave-one-out mean) x (own score), whose mean
+ * is 0. */
 static void add_to_sum(const aspi_drawn *d, double x, const average *a, double sum[ASPI_PARTS]) {
   double off = a->count > 1 ? (x - a->of[ASPI_RUN]) * a->count / (a->count - 1) : x;
   sum[ASPI_RUN] += x;
-  sum[ASPI_OTHER] += d->before[ASPI_OTHER] * (x + off * (d->own[ASPI_OTHER] - 1));
+  sum[ASPI_OTHER] += d->prior[ASPI_OTHER] * (x + off * (d->self[ASPI_OTHER] - 1));
   for (int k = ASPI_DERIVATIVE; k < ASPI_OTHER; k++)
-    sum[k] += x * d->before[k] + off * d->own[k];
+    sum[k] += x * d->prior[k] + off * d->self[k];
 }
 
 /* Adds an impact's deviation from the means. */
@@ -94,7 +94,7 @@ static void add_to_mean(const aspi_drawn *d, double x, const average *a, double 
 }
 
 void aspi_sensitivity(const aspi_drawn *drawn, size_t n, int result, size_t grains,
-                      aspi_estimate found[ASPI_PARTS]) {
+                      aspi_derivative found[ASPI_PARTS]) {
   const bool is_mean = result >= ASPI_COR;
   const average a = average_of(drawn, n, result);
   double total[ASPI_PARTS] = {0}, squares[ASPI_PARTS] = {0};

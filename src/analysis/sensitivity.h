@@ -18,14 +18,14 @@ enum { ASPI_STUCK, ASPI_DEPOSITED, ASPI_ERODED, ASPI_COR, ASPI_RESULTS = ASPI_CO
 enum { ASPI_RUN, ASPI_DERIVATIVE, ASPI_OTHER = ASPI_DERIVATIVE + 2, ASPI_PARTS };
 
 typedef struct aspi_drawn {
-  double tag, row;        /* which particle; the row of the ledger, which is in order of time */
-  double own[ASPI_PARTS]; /* of its draws: 1, two scores, likelihood ratio */
+  double tag, row;         /* which particle; the row of the ledger, which is in order of time */
+  double self[ASPI_PARTS]; /* of its draws: 1, two scores, likelihood ratio */
   double result[ASPI_RESULTS];
   int mesh, triangle;
-  double alpha1;             /* degrees */
-  double place;              /* set by the caller before aspi_drawn_place */
-  size_t grain;              /* from 0; this and the next are set by aspi_drawn_order */
-  double before[ASPI_PARTS]; /* of the particle's earlier draws: 1, sums, product */
+  double alpha1;            /* degrees */
+  double place;             /* set by the caller before aspi_drawn_place */
+  size_t grain;             /* from 0; this and the next are set by aspi_drawn_order */
+  double prior[ASPI_PARTS]; /* of the particle's earlier draws: 1, sums, product */
 } aspi_drawn;
 
 /* Sorts impacts by particle and row; returns how many particles there are. *effective: the
@@ -37,10 +37,10 @@ void aspi_drawn_place(aspi_drawn *drawn, size_t n);
 
 /* A result of the impacts at a place with standard errors over the particles, of which the run has
  * `grains`: the sum, of coefficients the mean. */
-typedef struct aspi_estimate {
+typedef struct aspi_derivative {
   double value, se;
-} aspi_estimate;
+} aspi_derivative;
 void aspi_sensitivity(const aspi_drawn *drawn, size_t n, int result, size_t grains,
-                      aspi_estimate found[ASPI_PARTS]);
+                      aspi_derivative found[ASPI_PARTS]);
 
 #endif

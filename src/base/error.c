@@ -75,9 +75,8 @@ asp_code aspi_check_length(asp_error *error, const char *name, double value) {
                    LENGTH_LEAST, LENGTH_MOST);
 }
 
-/* The number of characters to put in, take out, replace or swap with the next one that make one
- * name of the other, whatever the case (Damerau 1964); NAME_MOST for names that are as long as that
- * or longer. */
+/* Edit distance between two names, ignoring case: insertions, deletions, replacements and swaps of
+ * neighbors (Damerau 1964). NAME_MOST for names of that length or longer. */
 enum { NAME_MOST = 64 };
 
 static bool is_same(char a, char b) {

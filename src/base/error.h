@@ -28,8 +28,8 @@ asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, 
 /* ASP_EARG unless value > 0, finite. */
 asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value);
 
-/* ASP_EARG unless a length is from 1e-100 to 1e100 in any unit: its ratios and squares neither
- * overflow nor lose digits. */
+/* ASP_EARG unless a length is from 1e-100 to 1e100 in any unit, so that ratios and squares do not
+ * overflow. */
 asp_code aspi_check_length(asp_error *error, const char *name, double value);
 
 /* ASP_ENAME and "<what> 'name' is unknown; did you mean 'b'? there are: a b c", where `list` is the
@@ -41,22 +41,22 @@ static inline const char *aspi_word_or_empty(const char *word) {
   return word ? word : "";
 }
 
-/* Appends to a text that has room for `size` characters, as printf does. */
+/* Appends like printf to a text with room for `size` characters. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
 void
 aspi_append(char *text, size_t size, const char *format, ...);
 
-/* The place, from 0, of the first `length` characters of a word in a list of words with blanks
- * between, in upper or lower case unless it must be `exact`; -1: it is not there. */
+/* Index, from 0, of a word (its first `length` characters) in a list of words with blanks between;
+ * case matters only if `exact`. -1: not in the list. */
 int aspi_word_index(const char *list, const char *word, size_t length, bool exact);
 
-/* The name in a list that was most likely meant, into `meant`; false where none is like it. */
+/* Writes the most similar name of a list into `meant`; false if none is similar. */
 bool aspi_nearest_name(const char *name, const char *list, char meant[64]);
 
-/* The index of a name, in upper or lower case, in a registry of `count` names; -1 and the
- * message of aspi_fail_unknown where it is not there. */
+/* Index of a name, in upper or lower case, among `count` names; -1 and the message of
+ * aspi_fail_unknown if it is not there. */
 int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
                    asp_error *error);
 

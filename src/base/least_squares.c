@@ -7,7 +7,8 @@
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 
-/* Equations whose triangle has a diagonal of this range fix no coefficients. */
+/* If the triangle's diagonal has a larger range than this, the points do not fix the coefficients.
+ */
 #define SINGULAR 1e-13
 
 void aspi_least_squares_add(aspi_least_squares *fit, const double *t, double z) {
@@ -18,7 +19,7 @@ void aspi_least_squares_add(aspi_least_squares *fit, const double *t, double z) 
   }
 }
 
-/* By QR, which GSL does without memory of its own and without calling its error handler. */
+/* By QR: GSL's QR allocates nothing and never calls its error handler. */
 bool aspi_least_squares_solve(aspi_least_squares *fit) {
   double tau_of[ASP_TERMS_MOST], most = 0, least = INFINITY;
   gsl_matrix_view a = gsl_matrix_view_array(fit->a, fit->terms, fit->terms);

@@ -20,7 +20,7 @@ typedef struct aspi_least_squares {
 /* Adds a point of value z, where the terms have the values t. */
 void aspi_least_squares_add(aspi_least_squares *fit, const double *t, double z);
 
-/* False where the points do not fix the coefficients. */
+/* False if the points do not fix the coefficients. */
 bool aspi_least_squares_solve(aspi_least_squares *fit);
 
 /* The fitted value where the terms have the values t. */

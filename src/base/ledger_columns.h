@@ -1,6 +1,6 @@
-/* The columns of the ledger of impacts, in their order, for what writes it, what reads it, and the
- * table in the page of the fix: COLUMN(ID, name in files, type, meaning). The type is i or f, for
- * whole and for floating-point numbers. C and C++.
+/* The columns of the ledger of impacts in order, for writer, readers, and the table on the fix
+ * page: COLUMN(ID, name in files, type, meaning). Type: i for whole numbers, f for floating point.
+ * C and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_LEDGER_COLUMNS_H

@@ -18,9 +18,9 @@ int aspi_print_list(char *text, size_t size, const char *format, va_list list);
 /* C's strtod in the "C" locale: a decimal point, whatever locale the program has set. */
 double aspi_number(const char *text, char **end);
 
-/* Reads plain decimals of which digits and power of ten are both exact as a double, so that one
- * operation rounds as strtod does (Clinger 1990). False if there is anything else in the text, or
- * the number needs aspi_number. The decimal point may also be `other_point`. */
+/* Reads plain decimals whose digits and power of ten are both exact doubles, so that one operation
+ * rounds like strtod (Clinger 1990). False if the text has anything else, or the number needs
+ * aspi_number. The decimal point may also be `other_point`. */
 bool aspi_number_read(const char *text, char other_point, double *value);
 
 /* The shortest text that aspi_number reads back as the same number, with at least 15 digits if 15
@@ -30,9 +30,8 @@ void aspi_number_print(double value, char text[32]);
 /* Room for aspi_number_format. */
 enum { ASPI_NUMBER_MOST = 40 };
 
-/* Writes a number as `%.*g` of the C library does in the "C" locale, to the last character, in a
- * third of its time for up to 15 digits: most of what a file of results costs is the printing of
- * its numbers. No NUL; returns the end of what it wrote. */
+/* Writes a number exactly like printf's `%.*g` in the "C" locale, three times as fast for up to 15
+ * digits: printing numbers is most of the cost of a file of results. No NUL; returns the end. */
 char *aspi_number_format(double value, int digits, char to[ASPI_NUMBER_MOST]);
 
 #ifdef __cplusplus

@@ -17,7 +17,7 @@ typedef struct aspi_stream {
 /* The stream of a contact, at its beginning. */
 aspi_stream aspi_stream_begin(const asp_key *key);
 
-/* What is a grain's own at each of its contacts, on all walls of one seed. */
+/* Properties of a grain that stay the same at all contacts, on all walls with one seed. */
 typedef enum aspi_own { ASPI_OWN_YIELD = 1, ASPI_OWN_ADHESION } aspi_own;
 
 /* A standard normal number of the seed and the tag of a key alone. */

@@ -12,7 +12,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* With fewer rows than this, a line of words is no end of them, but they were part of the header.
+/* A line of words ends the rows only after at least this many; fewer rows were part of the header.
  * Longer headers are kept up to here. */
 enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
@@ -23,7 +23,7 @@ static asp_code fail_memory(const aspi_table *t, asp_error *error) {
                    t->text.line);
 }
 
-/* Cuts the line at hand. */
+/* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;
   t->count = t->all = 0;
@@ -41,7 +41,7 @@ static asp_code cut(aspi_table *t, asp_error *error) {
   return ASP_OK;
 }
 
-/* Takes a tag off the front of a line in the header that it does not close, and those behind. */
+/* Strips unclosed tags from the front of a header line. */
 static void take_off_tags(aspi_table *t) {
   char *line = t->text.text + strspn(t->text.text, " \t"), *end = strchr(line, '<');
   if (end == line && t->rows == 0) {
@@ -166,7 +166,7 @@ void aspi_plain(const char *name, char *to, size_t size) {
   to[n] = '\0';
 }
 
-/* A unit as a line of units has them, in brackets or bare. */
+/* A unit of a line of units, in brackets or bare. */
 static bool is_unit(const char *field, size_t length) {
   char name[ASP_PLAIN_MOST], copy[ASP_PLAIN_MOST];
   snprintf(copy, sizeof copy, "%.*s", (int)length, field);
@@ -186,8 +186,8 @@ static bool is_unit_line(const char *line, size_t length) {
   return all;
 }
 
-/* The last line of the header above `end`, which becomes its place: without comments where there
- * are other lines, unless they are units; NULL if there is none. */
+/* The last line of the header above `end`, which becomes its index. Comments count only if they are
+ * units, or there are no other lines. NULL if there is none. */
 static const char *line_above(const aspi_table *t, const char **end) {
   bool others = *t->header && *t->header != '#';
   for (const char *c = t->header; (c = strchr(c, '\n')) != NULL; c++)
@@ -231,7 +231,7 @@ static int cut_names(aspi_table *t, const char *line, int *all, aspi_column **li
 
 /* Names from the last line above the first row, of which the fields are counted, or the last two,
  * of which the second has their units. */
-static asp_code take_names(aspi_table *t, int least, asp_error *error) {
+static asp_code parse_names(aspi_table *t, int least, asp_error *error) {
   const char *end = t->header + strlen(t->header), *line;
   for (int k = 0; k < 2 && (line = line_above(t, &end)) != NULL; k++) {
     aspi_column *list = NULL;
@@ -280,7 +280,7 @@ static asp_code open_text(aspi_table *t, int least, asp_error *error) {
     return aspi_file_fail(t->text.path, 1, error, "the file ends without column names");
   t->has_row = t->start > 0;
   code = cut(t, error);
-  return code ? code : take_names(t, least, error);
+  return code ? code : parse_names(t, least, error);
 }
 
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error) {
@@ -358,8 +358,7 @@ int aspi_table_need(const aspi_table *t, const char *name, asp_error *error) {
     aspi_append(list, sizeof list, " %s", t->column[i].name);
   if (t->nameless)
     aspi_table_fail(t, error,
-                    "'%.40s' stands where a column name is expected; the line above the first "
-                    "numbers must name the columns",
+                    "no column names: the line above the first row must contain them, not '%.40s'",
                     t->count ? t->fields[0] : "");
   else
     aspi_fail(error, ASP_EDATA, "%.200s: column '%s' is missing; there are:%s", t->text.path, name,

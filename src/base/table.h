@@ -28,20 +28,20 @@ typedef struct aspi_table {
   char separator;
   bool thousands; /* commas stand between groups of digits */
   int width;      /* fields of most rows, 0 if they differ */
-  int count, all; /* fields of the line at hand, without empty ones behind and with them */
+  int count, all; /* fields of the current line, without empty ones behind and with them */
   char **fields;
   int room;
   size_t start, rows;     /* the line of the first row; of those that were taken, for the caller */
   char *header;           /* its lines, each with LF */
   bool tagged;            /* the first line begins with a tag, as in XML */
-  bool nameless, has_row; /* there are no names, they are ""; the row at hand is not taken yet */
+  bool nameless, has_row; /* the names are ""; the current row is not yet taken */
   int columns;            /* names */
   aspi_column *column;
 } aspi_table;
 
-/* Opens a table from a stream, or where that is NULL from the file `path`, and reads up to its
- * first row, which begins with `least` numbers (0: has a number anywhere) and is not taken yet.
- * NULL on error; the message names file and line. */
+/* Opens a table from a stream, or if that is NULL from the file `path`, and reads up to its first
+ * row: the first line that begins with `least` numbers (0: has a number anywhere). NULL on error;
+ * the message names file and line. */
 aspi_table *aspi_table_open(FILE *stream, const char *path, int least, asp_error *error);
 void aspi_table_close(aspi_table *table);
 
@@ -54,7 +54,7 @@ asp_code aspi_table_line(aspi_table *table, bool *found, asp_error *error);
 /* The same, and ASP_EDATA if the number of fields differs from the number of names. */
 asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
 
-/* ASP_EDATA and a message on the line at hand. */
+/* ASP_EDATA and a message on the current line. */
 #define aspi_table_fail(table, error, ...)                                                         \
   aspi_file_fail((table)->text.path, (table)->text.line, error, __VA_ARGS__)
 

@@ -11,10 +11,10 @@
 static const char separators[] = ";\t, ";
 enum { SEMICOLON, TAB, COMMA, BLANK, SEPARATORS };
 
-/* Lines of one kind, and of them for each separator: those that have it between other text, and the
- * number of fields that most have, by a vote of majority (Boyer & Moore 1981). `gaps`: lines that
- * have numbers with blanks between them. Of their numbers those with one point, with one comma that
- * cannot stand between groups of three digits, and with zeros behind it: 0,05. */
+/* Lines of one kind. For each separator: lines that have it between other text, and the most common
+ * number of fields, by majority vote (Boyer & Moore 1981). `gaps`: lines with blanks between
+ * numbers. Then numbers with one point, with one comma that cannot separate groups of three digits,
+ * and with zeros behind it (0,05). */
 typedef struct tally {
   size_t lines, gaps, points, decimals, zeros, with[SEPARATORS];
   int fields[SEPARATORS];

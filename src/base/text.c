@@ -196,7 +196,7 @@ static bool is_missing(const char *text, size_t length) {
   return length == 0 || stars == length || aspi_word_index(marks, text, length, false) >= 0;
 }
 
-/* Takes the commas out that stand between groups of three digits; false where they do not. */
+/* Takes the commas out that stand between groups of three digits; false if they do not. */
 static bool join_thousands(char *text) {
   size_t first = strspn(text += *text == '-' || *text == '+', "0123456789");
   bool good = first > 0 && first <= 3;

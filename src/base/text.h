@@ -8,16 +8,16 @@
 
 #include <stdio.h>
 
-/* Opens a file to be read, from its beginning and as often as is wanted: what a pipe holds, or
- * UTF-16 with a byte-order mark, which becomes UTF-8, is copied to a temporary file first. `-` is
- * standard input. NULL on error: ASP_EFILE, ASP_ENOMEM. */
+/* Opens a file that can be read from its beginning again and again. A pipe is copied to a temporary
+ * file first, and so is UTF-16 with a byte-order mark, which becomes UTF-8. `-` is standard input.
+ * NULL on error: ASP_EFILE, ASP_ENOMEM. */
 FILE *aspi_file_open(const char *path, asp_error *error);
 
 typedef struct aspi_text {
   FILE *stream;
   const char *path; /* for messages */
   size_t line;      /* of the line or word at hand, from 1 */
-  char *text;       /* the line at hand, without its end; in the buffer, for the caller to cut */
+  char *text;       /* the current line, without its end; in the buffer, for the caller to cut */
   size_t length;
   char *rest; /* of it, behind its words that were read */
   /* What is read from the stream, in which the next line is from `next` (NULL: none) to `end`. */
@@ -29,7 +29,7 @@ typedef struct aspi_text {
 aspi_text aspi_text_create(FILE *stream, const char *path);
 void aspi_text_close(aspi_text *text);
 
-/* Back to the beginning; ASP_EFILE where the stream cannot. */
+/* Back to the beginning; ASP_EFILE if the stream cannot. */
 asp_code aspi_text_rewind(aspi_text *text, asp_error *error);
 
 /* Reads the next line (its end is LF, CR LF or CR; the byte-order mark of UTF-8 is left out);

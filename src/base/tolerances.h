@@ -1,4 +1,4 @@
-/* What counts as rounding, as a part of the numbers at hand. C and C++.
+/* Relative differences that count as rounding. C and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_BASE_TOLERANCES_H
@@ -12,7 +12,7 @@
 /* Of numbers in double precision after a few operations: they have 16 digits. */
 #define ASPI_ROUNDING_DOUBLE 1e-12
 
-/* a/b, where b is a part of `whole`: NAN where it is no more than rounding of it. */
+/* a/b; NAN if b is only rounding of `whole`. */
 static inline double aspi_quotient(double a, double b, double whole) {
   return fabs(b) > ASPI_ROUNDING_DOUBLE * whole ? a / b : NAN;
 }

@@ -16,28 +16,28 @@ typedef struct aspi_unit {
   bool listed;
 } aspi_unit;
 
-/* The unit of a kind (NULL: of any) that has that name; where it need not be exact, in upper or
- * lower case (but for names of one letter). NULL: there is none. */
+/* Finds a unit of a kind (NULL: any) by name; unless `exact`, in upper or lower case (except names
+ * of one letter). NULL: there is none. */
 const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t length, bool exact);
 
 /* Meters in a unit of length by its name (m cm mm um nm, or as instruments write them:
  * `Micrometer`, the Greek letter in UTF-8 or Latin-1, `Angstrom`); 0 when it is none. */
 double aspi_unit_meters(const char *name, size_t length);
 
-/* Reads all of a text as a number of the kind that `kind` names: length, speed, stress,
+/* Reads a whole text as a number of a kind: length, speed, stress,
  * stress/speed, energy/area, density, mass, rate, degrees, K, 1/K, or "" for one without a unit. A
  * number alone is in the caller's units; one with a unit is converted to them, exactly if these are
- * SI and the unit is a power of ten. ASP_EARG if it is no such number; the message calls it `name`
- * and lists the units. */
+ * SI and the unit is a power of ten. ASP_EARG and a message with `name` and the units if the text
+ * is not such a number. */
 asp_code aspi_quantity_read(const char *name, const char *text, const char *kind,
                             const asp_units *units, double *value, asp_error *error);
 
-/* ASP_EARG where a number that was read from `text` is not from `least` to `most`, or with `above`
+/* ASP_EARG if a number that was read from `text` is not from `least` to `most`, or with `above`
  * not more than `least`; the message has the text, and the SI unit behind finite limits. */
 asp_code aspi_quantity_check(const char *name, const char *text, const char *kind, double value,
                              double least, double most, bool above, asp_error *error);
 
-/* Number of the caller's units in one SI unit of that kind; 0 if the units are unknown. */
+/* The caller's units per SI unit of that kind; 0 if unknown. */
 double aspi_quantity_factor(const char *kind, const asp_units *units);
 
 /* The units of a kind, as "m cm mm um nm"; "" where it has none. At most `size` characters. */

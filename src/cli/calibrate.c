@@ -21,10 +21,10 @@
 #define CORRELATED 0.9
 #define VAGUE 1.0
 
-/* ---- what is looked for ---- */
+/* ---- unknowns ---- */
 
 /* The value of the materials; NAN: there is none. */
-static double standard_of(const cli_description *wall, const char *name) {
+static double default_of(const cli_description *wall, const char *name) {
   asp_pair *pair = wall->particle ? asp_pair_create(wall->particle, wall->target, NULL) : NULL;
   double value = pair ? asp_pair_get(pair, name) : NAN;
   asp_pair_free(pair);
@@ -33,23 +33,20 @@ static double standard_of(const cli_description *wall, const char *name) {
 
 /* Properties of a number of the description; a law's own numbers go before all others. */
 static aspi_unknown unknown_of(const cli_description *wall, const char *name) {
-  const asp_rebound_law *law = asp_description_rebound(wall->words);
-  int index = aspi_rebound_parameter_find(law, name);
-  const asp_parameter *p = index >= 0 ? &law->parameters[index] : NULL;
-  const aspi_keyword *k = aspi_keywords;
-  while (!p && !(k->may_fit && strcmp(k->name, name) == 0))
-    k++;
-  bool is_surface = !p && strcmp(k->within, "surface") == 0;
+  size_t place;
+  const aspi_keyword *k = aspi_number_find(wall->words, name, &place);
+  const bool is_surface = k->within && strcmp(k->within, "surface") == 0;
+  const bool is_pair = k->within && !*k->within;
   aspi_unknown u = {.name = name,
-                    .kind = p || (*k->within && !is_surface) ? OF_LAW
-                            : is_surface                     ? OF_SURFACE
-                                                             : OF_PAIR,
-                    .least = p ? p->least : k->least,
-                    .most = p ? p->most : k->most};
-  u.bounded = p && u.most - u.least <= 10;
-  u.standard = p ? p->fallback : *k->within ? k->fallback : standard_of(wall, name);
+                    .kind = is_surface ? OF_SURFACE
+                            : is_pair  ? OF_PAIR
+                                       : OF_LAW,
+                    .least = k->least,
+                    .most = k->most,
+                    .default_value = is_pair ? default_of(wall, name) : k->default_value};
+  u.bounded = !k->within && u.most - u.least <= 10;
   char units[120];
-  aspi_quantity_units(p ? p->unit : k->unit, units, sizeof units);
+  aspi_quantity_units(k->unit, units, sizeof units);
   snprintf(u.unit, sizeof u.unit, "%.*s", (int)strcspn(units, " "), units);
   return u;
 }
@@ -61,22 +58,20 @@ static double start_of(const aspi_calibration *c, const aspi_unknown *u) {
   double room = u->bounded ? 0.02 * (u->most - u->least) : 0;
   start = fmin(fmax(start, u->least + room), u->bounded ? u->most - room : start);
   if (!(start > 0))
-    cli_bad_usage("%s is 'fit', and there is no value above 0 that the search could begin with: "
-                  "say 'fit=VALUE' in its place%s%s",
-                  u->name, *u->unit ? ", in " : "", u->unit);
+    cli_bad_usage("give a start for %s: fit=VALUE%s%s", u->name, *u->unit ? ", in " : "", u->unit);
   return start;
 }
 
 static void read_unknowns(aspi_calibration *c, const cli_description *wall) {
   const asp_description *words = c->words;
-  for (int i = 0; i < words->n_fits; i++) {
+  for (int i = 0; i < words->n_fitted; i++) {
     aspi_unknown *u = &c->unknown[c->n_unknown++];
-    *u = unknown_of(wall, words->fits[i]);
+    *u = unknown_of(wall, words->fitted[i]);
     if (u->kind == OF_PAIR && !asp_rebound_needs_pair(asp_description_rebound(c->words)))
       cli_bad_usage("'%s' has no effect on impacts with rebound %s", u->name,
                     asp_rebound_name(asp_description_rebound(c->words)));
     u->start = start_of(c, u);
-    u->standard = u->standard > 0 ? u->standard : u->start;
+    u->default_value = u->default_value > 0 ? u->default_value : u->start;
     c->moves = c->moves || u->kind == OF_SURFACE;
   }
   if (c->n_unknown == 0)
@@ -143,8 +138,8 @@ static double error_of(const aspi_calibration *c, const aspi_fit *f, size_t i) {
   return aspi_unknown_slope(&c->unknown[i], f->at[i]) * f->error[i];
 }
 
-/* The ends of an interval, NAN where there is none but a bound. */
-static double end_of(const aspi_calibration *c, size_t i, double scaled) {
+/* End of an interval; NAN if it is a bound of the search. */
+static double interval_end(const aspi_calibration *c, size_t i, double scaled) {
   return isfinite(scaled) ? aspi_unknown_value(&c->unknown[i], scaled) : NAN;
 }
 
@@ -152,7 +147,7 @@ static double end_of(const aspi_calibration *c, size_t i, double scaled) {
 static bool bound_of(const aspi_calibration *c, const aspi_fit *f, size_t i, char *text,
                      size_t size) {
   const aspi_unknown *u = &c->unknown[i];
-  double low = end_of(c, i, f->low[i]), high = end_of(c, i, f->high[i]);
+  double low = interval_end(c, i, f->low[i]), high = interval_end(c, i, f->high[i]);
   const char *space = *u->unit ? " " : "";
   if (isfinite(low) && isfinite(high))
     return false;
@@ -179,20 +174,19 @@ static void warn_of_doubt(const aspi_calibration *c, const aspi_fit *f) {
       cli_warn("%s: the data do not exclude %.3g, where the search ends", text,
                aspi_unknown_value(u, isinf(f->low[i]) ? u->low : u->high));
     else if (!(error < VAGUE * value))
-      cli_warn("the data say little of '%s': %g, from %g to %g at 95 %%", c->unknown[i].name, value,
-               end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
+      cli_warn("'%s' is poorly determined: %g, 95 %% interval %g to %g", c->unknown[i].name, value,
+               interval_end(c, i, f->low[i]), interval_end(c, i, f->high[i]));
   }
   double p = f->dof > 0 ? gsl_cdf_chisq_Q(f->model_chi2, f->dof) : 1;
-  if (c->known && f->dof > 0 && p < 1e-3)
+  if (c->has_errors && f->dof > 0 && p < 1e-3)
     cli_warn("the model does not describe the data: chi^2/dof is %.3g (p %.2g)%s",
              f->model_chi2 / f->dof, p,
              f->described ? ""
                           : "; the fit is by weights of the data, with standard errors scaled "
                             "by the root of its own chi^2/dof");
   if (!f->converged)
-    cli_warn("weights and values have not settled: they still move by over a quarter of their "
-             "errors; more "
-             "--samples may help");
+    cli_warn(
+        "no convergence: the last step was over 1/4 of the standard errors; try more --samples");
 }
 
 /* A value as the table has it, so that the description holds the same. */
@@ -221,7 +215,8 @@ static void print_unknown(FILE *out, const aspi_calibration *c, const aspi_fit *
   char text[120];
   bool bound = bound_of(c, f, i, text, sizeof text);
   cli_row(out, "%s,%.6g,%.6g,%.6g,%.6g,", c->unknown[i].name, value_of(c, f, i),
-          bound ? NAN : error_of(c, f, i), end_of(c, i, f->low[i]), end_of(c, i, f->high[i]));
+          bound ? NAN : error_of(c, f, i), interval_end(c, i, f->low[i]),
+          interval_end(c, i, f->high[i]));
   fprintf(out, "%s\n", c->unknown[i].unit);
 }
 
@@ -243,7 +238,7 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
   fprintf(out, "# the best of %zu starts, of which %zu agree\n", f->starts, f->agreed);
   fprintf(out, "# chi^2/dof %.4g: chi^2 %.6g, %.0f degrees of freedom, %zu bins",
           f->dof > 0 ? f->chi2 / f->dof : 0, f->chi2, f->dof, c->n_bins);
-  if (c->known)
+  if (c->has_errors)
     fprintf(out, ", %.0f impacts, p %.3g\n", all,
             f->dof > 0 ? gsl_cdf_chisq_Q(f->chi2, f->dof) : 1);
   else
@@ -316,8 +311,8 @@ static void plot(const cli_call *call, const aspi_calibration *c) {
 
 static void run(cli_call *call) {
   if (call->n_words < 1)
-    cli_bad_usage("calibrate: DATA is expected, a file, and the description of a wall behind it; "
-                  "see 'asperity calibrate --help'");
+    cli_bad_usage(
+        "usage: asperity calibrate DATA WALL... (DATA is a file); see 'asperity calibrate --help'");
   const char *path = call->words[0];
   cli_description wall = cli_description_read(call->n_words - 1, call->words + 1, true);
   aspi_calibration c = {.samples = 0};

@@ -20,7 +20,7 @@ static bool is_file(const char *path, const struct stat *file) {
   return stat(path, &found) == 0 && found.st_dev == file->st_dev && found.st_ino == file->st_ino;
 }
 
-/* Exits where an option would replace a file that is read. */
+/* Exits if an option would overwrite an input file. */
 static void keep_inputs(const cli_call *call) {
   for (int k = 0; k < N_WRITTEN; k++) {
     const char *path = cli_value(call, written[k]);
@@ -33,7 +33,7 @@ static void keep_inputs(const cli_call *call) {
   }
 }
 
-/* Exits where a file that is to be written cannot be, or two are to be the same. */
+/* Exits if an output file cannot be written, or two outputs are the same file. */
 static void check_files(const cli_call *call) {
   for (int k = 0; k < N_WRITTEN; k++) {
     const char *path = cli_value(call, written[k]);
@@ -141,6 +141,8 @@ cli_call cli_parse(const cli_command *command, int argc, char **argv) {
   if (command->takes_files) {
     call.words = argv + optind;
     call.n_words = argc - optind;
+  } else if (optind < argc && !command->arguments) {
+    cli_bad_usage("asperity %s takes no arguments", command->name);
   } else if (optind < argc) {
     cli_bad_usage("%s: argument '%s' is not expected behind an option; options begin with --, and "
                   "the words that describe a wall stand before them",

@@ -16,7 +16,7 @@
 /* One option of a command. A table of them ends with a NULL name. */
 typedef struct cli_option {
   const char *name;     /* without the dashes */
-  const char *argument; /* what its value is, for the help; NULL for a flag */
+  const char *argument; /* value, for the help; NULL for a flag */
   const char *help;
   const char *value; /* the default, then what the user gave; NULL: not given. A flag: "" */
 } cli_option;
@@ -73,18 +73,17 @@ bool cli_is_set(const cli_call *call, const char *name);
 CLI_FORMAT(1, 2) _Noreturn void cli_bad_usage(const char *format, ...); /* exit 2 */
 CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 1 */
 
-/* Room for some things, all zero, and a copy of a text, to be freed; exit 1 where there is none. */
+/* Zeroed memory, and a copy of a text, to be freed; exit 1 if out of memory. */
 void *cli_allocate(size_t count, size_t size);
 char *cli_copy(const char *text);
 
-/* An array of so many things with room for one more, where every one was added by this. */
+/* See aspi_grow; exit 1 if out of memory. */
 void *cli_grow(void *array, size_t count, size_t size);
 
-/* For the library calls of a command: what the last one that failed says. */
+/* The error of the last library call that failed. */
 extern asp_error cli_error;
 
-/* Exits with that where a call was not good, or made nothing: exit 2, 1 where there is no memory
- * for it. */
+/* Exit with that error if a call failed or made nothing: status 2, or 1 if out of memory. */
 void cli_must(bool good);
 void *cli_made(void *thing);
 
@@ -101,8 +100,8 @@ typedef struct cli_list {
  * 5 Pa, and its unit was forgotten. */
 void cli_check_unit(const char *name, const char *text, const char *kind);
 
-/* The option's value, which must have been given, as a number of a kind (see base/units.h) with
- * or without a unit; one without any; a length > 0; a whole number, which may be written as 1e6. */
+/* The value of a given option: a number of a kind (see base/units.h) with or without a unit; a
+ * number without unit; a length > 0; a whole number, which may be written as 1e6. */
 double cli_quantity(const cli_option *option, const char *kind, double least, double most);
 double cli_number(const cli_option *option, double least, double most);
 double cli_length(const cli_option *option);
@@ -122,35 +121,34 @@ size_t cli_few(const cli_option *option, double least, double most, size_t n, do
 /* Index of the value among the words of the option's argument, `own|ledger`. */
 int cli_choice(const cli_option *option);
 
-/* A line on stderr that something may not be what is wanted. */
+/* A warning on stderr. */
 CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* Written to a temporary file and renamed on close; an early exit leaves the old file. A symbolic
- * link is replaced. A device or a pipe is written to as it is, and so is the file that is standard
- * output, which "-" and NULL are, too. One file is open at a time. */
+ * link is replaced. Devices, pipes and standard output ("-" or NULL) are written directly. One file
+ * is open at a time. */
 FILE *cli_file_open(const char *path);
 void cli_file_close(FILE *stream);
 
-/* cli_clean_up erases the line of progress and removes a file that is not whole, as an exit does
- * and a signal that ends the program. cli_remove_later: that file, from now on; NULL: there is
- * none.
+/* cli_clean_up erases the line of progress and removes an incomplete file; exits and signals call
+ * it. cli_remove_later sets that file; NULL: none.
  */
 void cli_clean_up(void);
 void cli_remove_later(char *path);
 
-/* Exits where the file cannot be written. cli_parse asks for the options `output` and `save`. */
+/* Exits if the file cannot be written. cli_parse checks the options `output` and `save`. */
 void cli_file_check(const char *path);
 
-/* Prints the comment line of a table: version, the command as given, and the description of the
- * wall where there is one. cli_output_open opens the file of an option and begins with it. */
+/* Prints the comment line of a table: version, command line, and the description of the wall if
+ * any. cli_output_open opens the file of an option and prints this line. */
 void cli_print_heading(FILE *out, const cli_call *call, const char *description);
 FILE *cli_output_open(const cli_call *call, const char *option, const char *description);
 
-/* Prints fields of CSV by a format of printf with text, %s, %d, %zu or a double between its commas.
- * A number that is none is an empty field; a text is put in quotes where it needs them. */
+/* Prints CSV fields by a printf format of text, %s, %d, %zu or doubles between commas. NAN gives an
+ * empty field; text is quoted if necessary. */
 CLI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
 
-/* Prints a number as %.*g of printf does, faster; nothing for one that is none. */
+/* Prints a number like printf's %.*g, but faster; nothing for NAN. */
 void cli_print_number(FILE *out, double value, int digits);
 
 /* A user's text within a comment line: control characters as \xNN. */
@@ -171,8 +169,8 @@ void cli_progress_show(void *progress, double done); /* a cli_progress */
 void cli_progress_end(cli_progress *progress);
 void cli_erase_progress(void);
 
-/* Exits where a picture could not be drawn: another ending than .png, .svg or .pdf, no gnuplot, a
- * file that cannot be written. cli_parse asks before any work is done. */
+/* Exits if a picture cannot be drawn: wrong ending (.png, .svg, .pdf), no gnuplot, unwritable file.
+ * cli_parse calls it before any work is done. */
 void cli_plot_check(const cli_call *call);
 
 /* Opens the table of a command: a temporary file with --plot, else the output. cli_table_close
@@ -188,8 +186,9 @@ void cli_plot_close(const cli_call *call, FILE *table, const char *script);
 void cli_help_command(const cli_command *command, const cli_option *options);
 void cli_help_all(const cli_command *const *commands);
 
-/* Prints the words that describe a wall, from their table. */
+/* Prints the words that describe a wall; or one keyword, law or model (false: there is none). */
 void cli_help_wall(void);
+bool cli_help_word(const char *name);
 
 /* Prints the words that may follow these of a command line, FILE for the name of a file: for the
  * shell's completion. */

@@ -59,7 +59,7 @@ static void print_all(FILE *out, const aspi_comparison *c) {
     cli_row(out, "score,,,,,,,,,,,,,,,,%.6g,%.6g\n", c->score.value, c->score.se);
 }
 
-/* Warns of bins that have only one of both, and fails where there is none with both. */
+/* Warns of bins without model impacts or without data; fails if no bin has both. */
 static void check_bins(const aspi_comparison *c) {
   size_t both = 0;
   for (int k = 0; k < ASPI_COMPARED; k++) {
@@ -79,7 +79,7 @@ static void check_bins(const aspi_comparison *c) {
                   c->data.has_speed ? ", speeds" : "", c->data.has_size ? ", sizes" : "");
 }
 
-/* Says why there is no score. */
+/* Reports why there is no score. */
 static void warn_no_score(const aspi_comparison *c) {
   if (isfinite(c->score.value))
     return;
@@ -94,7 +94,7 @@ static void warn_no_score(const aspi_comparison *c) {
         c->names[1], ASPI_SCORED_LEAST);
 }
 
-/* Impacts without a speed or a size are taken for those of any. */
+/* Impacts without a speed or a size match any. */
 static void warn_unknown(const aspi_comparison *c) {
   static const char text[] = "%s: no %s of impacts in it; those of the data are not looked at";
   if (c->data.has_speed && !c->impacts.has_speed)

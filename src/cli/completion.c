@@ -39,7 +39,11 @@ static bool put_arguments(const cli_command *command, int count, char **words) {
 
 void cli_complete(const cli_command *const *commands, int count, char **words) {
   if (count < 2 && (count == 0 || strcmp(words[0], "help") == 0)) {
-    puts(count == 0 ? "help" : "wall");
+    static const char *const clauses[] = {"surface", "spread", "rebound", "erosion"};
+    aspi_offers offers = {.at_end = false};
+    for (size_t i = 0; i < sizeof clauses / sizeof *clauses; i++)
+      aspi_description_offer(&offers, 1, &clauses[i]);
+    printf(count == 0 ? "help\n" : "wall %s\n", offers.list);
     for (; *commands; commands++)
       puts((*commands)->name);
     return;

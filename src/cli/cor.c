@@ -37,7 +37,7 @@ typedef struct row {
 /* Impacts that are drawn at once. */
 enum { BLOCK = 1 << 16 };
 
-/* The value of a sample; of a list they come in turn. */
+/* The value of a sample; values of a list are taken in turn. */
 static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
   if (v->count)
     return v->values[sample % v->count];
@@ -127,7 +127,7 @@ static void add_to_sums(sums *to, const row *r) {
     aspi_running_add(&to->cor_t, r->of.cor.cor_t);
 }
 
-/* Mean and sd, empty where there are none. */
+/* Mean and sd; empty if there are none. */
 static void print_moments(FILE *out, const aspi_running *r) {
   cli_row(out, ",%.6g,%.6g", r->n > 0 ? r->mean : NAN, r->n > 1 ? aspi_running_sd(r) : NAN);
 }
@@ -137,7 +137,7 @@ static double value_of_group(const cli_list *list, size_t index, double factor) 
   return list->count ? list->values[index % list->count] * factor : NAN;
 }
 
-/* Per angle, speed and size: what sticks, and mean and sd of what rebounds. */
+/* Per angle, speed and size: share of deposits; mean and sd of rebounds. */
 static void print_summary(FILE *out, const scene *s, const cli_list *angles, const sums *of,
                           bool erodes) {
   size_t groups = count_groups(s), sizes = s->sizes.count ? s->sizes.count : 1;
@@ -213,7 +213,7 @@ static cli_list ratios(double from, double to) {
   return list;
 }
 
-/* Exits if the values of the grid of --capture are not those of a list, or do not rise. */
+/* Exits if the grid of --capture is not a rising list. */
 static void check_grid(const char *option, const cli_list *list) {
   if (list->count == 0)
     cli_bad_usage("--%s is a log-normal law; --capture takes a list", option);

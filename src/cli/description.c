@@ -46,18 +46,18 @@ char *cli_description_text(const asp_description *words) {
 }
 
 static void read_materials(cli_description *d) {
-  static char *standard[] = {"materials", "ard", "hastelloy-x"};
+  static char *default_words[] = {"materials", "ard", "hastelloy-x"};
   int count = asp_description_materials(d->words);
   if (count == 0 && asp_rebound_needs_pair(asp_description_rebound(d->words))) {
-    if (d->words->may_fit)
+    if (d->words->fittable)
       cli_bad_usage(
           "'materials' is missing: a fit needs those of the measured particles and wall, as "
           "'materials quartz al-2024'");
-    read_words(d->words, 3, standard);
-    d->has_standard_materials = true;
+    read_words(d->words, 3, default_words);
+    d->has_default_materials = true;
     count = 2;
   }
-  d->density = asp_material_get(aspi_materials_find(NULL, standard[1], NULL), "density");
+  d->density = asp_material_get(aspi_materials_find(NULL, default_words[1], NULL), "density");
   if (count == 0)
     return;
   cli_must(!asp_description_check_pair(d->words, &cli_error));
@@ -67,10 +67,10 @@ static void read_materials(cli_description *d) {
   d->pair = cli_made(asp_description_pair(d->words, d->particle, d->target, &cli_error));
 }
 
-cli_description cli_description_read(int count, char **words, bool may_fit) {
+cli_description cli_description_read(int count, char **words, bool fittable) {
   cli_description d = {.words = cli_made(asp_description_parse("", NULL, &cli_error))};
   asp_description_expect_pairs(d.words); /* its own, or none as for samples of tilts */
-  d.words->may_fit = may_fit;
+  d.words->fittable = fittable;
   check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
@@ -83,7 +83,7 @@ cli_description cli_description_read(int count, char **words, bool may_fit) {
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
   d->has_no_impact = !aspi_words_in_list("rebound", allowed);
   for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
-    bool is_own = strcmp(k->name, "materials") != 0 || !d->has_standard_materials;
+    bool is_own = strcmp(k->name, "materials") != 0 || !d->has_default_materials;
     if (!*k->within && is_own && asp_description_is_given(d->words, k->name) &&
         !aspi_words_in_list(k->name, allowed))
       cli_bad_usage("'%s' has no effect: %s; what counts is: %s", k->name, why, allowed);
@@ -94,10 +94,10 @@ void cli_description_doubt(const cli_description *d, double d_least, double d_mo
   const bool hits = !d->has_no_impact;
   const asp_particle largest = {
       .d_p = d_most, .density = d->density, .pair = hits ? d->pair : NULL};
-  const asp_question question = {
+  const asp_check_input input = {
       d->words, d->wall, d_least, &largest, {hits ? d->particle : NULL, hits ? d->target : NULL}};
   char doubt[500];
-  for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
+  for (int i = 0; asp_warning(&input, i, doubt, sizeof doubt); i++)
     if (*doubt)
       cli_warn("%s", doubt);
 }

@@ -11,10 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Impacts are put together in blocks of at least so many. */
+/* Impacts per block, at least. */
 enum { CELLS_LEAST = 1 << 16 };
 
-/* What an impact, or all of a triangle, wore off. */
+/* Eroded mass of one impact, or of all impacts on a triangle. */
 typedef struct cell {
   int mesh, triangle;
   double impacts, mass;
@@ -36,26 +36,26 @@ static int by_place(const void *left, const void *right) {
                             : (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
-static void add(void *of, const void *with) {
-  cell *to = of;
+static void add(void *fields, const void *with) {
+  cell *to = fields;
   const cell *more = with;
   to->impacts += more->impacts;
   to->mass += more->mass;
 }
 
-/* Makes one cell of all of a triangle, in order. */
+/* Merges the cells of each triangle, and sorts them. */
 static void put_together(wear *w) {
   w->count = aspi_put_together(w->cells, w->count, sizeof *w->cells, by_place, add);
 }
 
-static double worn_by_law(const wear *w, const double of[], double mass) {
-  double alpha = aspi_radians(of[ALPHA1]);
-  return mass *
-         aspi_erosion_ratio(w->law, w->wall_density, of[V1], sin(alpha), cos(alpha), of[D_P]);
+static double worn_by_law(const wear *w, const double fields[], double mass) {
+  double alpha = aspi_radians(fields[ALPHA1]);
+  return mass * aspi_erosion_ratio(w->law, w->wall_density, fields[V1], sin(alpha), cos(alpha),
+                                   fields[D_P]);
 }
 
-static void add_row(wear *w, const double of[]) {
-  double mass = of[MASS], d = of[D_P];
+static void add_row(wear *w, const double fields[]) {
+  double mass = fields[MASS], d = fields[D_P];
   w->has_mass = !isnan(mass);
   if (!w->has_mass)
     mass = w->density * ASP_PI / 6 * d * d * d;
@@ -63,13 +63,13 @@ static void add_row(wear *w, const double of[]) {
     cli_bad_usage("%s: no column 'mass', which 'columns full' has: give the density of the "
                   "particles by --density or 'materials'",
                   w->path);
-  double worn = w->law ? worn_by_law(w, of, mass) : of[ERODED];
+  double worn = w->law ? worn_by_law(w, fields, mass) : fields[ERODED];
   if (w->count == w->most) {
     put_together(w);
     w->most = 2 * w->count > CELLS_LEAST ? 2 * w->count : CELLS_LEAST;
   }
   w->cells = cli_grow(w->cells, w->count, sizeof *w->cells);
-  w->cells[w->count++] = (cell){(int)of[MESH], (int)of[TRIANGLE], 1, worn};
+  w->cells[w->count++] = (cell){(int)fields[MESH], (int)fields[TRIANGLE], 1, worn};
 }
 
 /* Adds up the rows of the ledger. */
@@ -85,9 +85,9 @@ static void read_ledger(wear *w) {
   if (!w->law && *header == '#' && !strstr(header, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w->path);
-  double of[SCATTER_COLUMNS];
-  while (cli_scatter_row(&ledger, of))
-    add_row(w, of);
+  double fields[SCATTER_COLUMNS];
+  while (cli_scatter_row(&ledger, fields))
+    add_row(w, fields);
   put_together(w);
 }
 
@@ -124,7 +124,7 @@ static void take_law(wear *w, cli_description *d) {
     cli_bad_usage("face is 'tilted'; it must be mean: a ledger does not have every face that was "
                   "hit, but in its column 'eroded_mass'");
   w->wall_density = asp_material_get(d->target, "density");
-  if (isnan(w->density) && !d->has_standard_materials)
+  if (isnan(w->density) && !d->has_default_materials)
     w->density = d->density;
   cli_description_doubt(d, 0, 0);
 }

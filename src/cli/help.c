@@ -23,13 +23,13 @@ static const char conventions[] =
     "wall' lists them.\n"
     "Exit status: 0 done, 1 failed, 2 bad usage or bad input.\n";
 
-/* Prints what an option means, in lines of at most WIDTH characters that begin under the first one.
+/* Prints the help of an option in lines of at most WIDTH characters, aligned with the first one.
  */
 static void print_meaning(const cli_option *option) {
   char text[600];
-  bool standard = option->argument && option->value;
-  snprintf(text, sizeof text, "%s%s%s%s", option->help, standard ? " [" : "",
-           standard ? option->value : "", standard ? "]" : "");
+  bool has_default = option->argument && option->value;
+  snprintf(text, sizeof text, "%s%s%s%s", option->help, has_default ? " [" : "",
+           has_default ? option->value : "", has_default ? "]" : "");
   const char *line = text;
   while (strlen(line) > WIDTH - LEFT - 3) {
     const char *end = line + WIDTH - LEFT - 3;
@@ -66,21 +66,29 @@ void cli_help_all(const cli_command *const *commands) {
   for (; *commands; commands++)
     printf("  %-10s %s\n", (*commands)->name, (*commands)->summary);
   printf("\n'asperity help COMMAND' or 'asperity COMMAND --help' lists the options of a command,\n"
-         "'asperity help wall' the words that describe a wall.\n\n%s\nExamples:\n"
+         "'asperity help wall' the words that describe a wall, 'asperity help bons' a law or "
+         "model.\n\n"
+         "%s\nExamples:\n"
          "  $ asperity help cor\n"
          "  $ asperity cor surface rq 5um lambda_c 40um --dp 10um --plot cor.png -o cor.csv\n",
          conventions);
 }
 
-/* The words within one, and those within these. */
+static void put_words(const char *within, int depth);
+
+/* A keyword, and the words within it. */
+static void put_keyword(const aspi_keyword *k, int depth) {
+  printf("%*s%s %s\n%*s%s", 2 * depth, "", k->name, k->values, 2 * depth + 6, "", k->text);
+  printf(*k->default_text ? " [%s]\n" : "\n", k->default_text);
+  put_words(k->name, depth + 1);
+}
+
 static void put_words(const char *within, int depth) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, within) != 0 || !k->text)
       continue;
-    printf("%s%*s%s %s\n%*s%s", depth ? "" : "\n", 2 * depth, "", k->name, k->values, 2 * depth + 6,
-           "", k->text);
-    printf(*k->standard ? " [%s]\n" : "\n", k->standard);
-    put_words(k->name, depth + 1);
+    fputs(depth ? "" : "\n", stdout);
+    put_keyword(k, depth);
   }
 }
 
@@ -89,33 +97,75 @@ static void put_upper(const char *name) {
     putchar(toupper((unsigned char)*name));
 }
 
-static void put_parameter(const asp_parameter *p) {
+/* Parameters that must be given have no default. */
+static void put_parameter(const aspi_keyword *p) {
   fputs("        ", stdout);
   put_upper(p->name);
-  if (p->words)
-    printf(" (%s): %s\n", p->words, p->text);
+  if (p->values)
+    printf(" (%s): %s\n", p->values, p->text);
   else
     printf(" (%g to %g%s%s): %s", p->least, p->most, *p->unit ? " " : "", p->unit, p->text);
-  if (!p->words)
-    printf(isnan(p->fallback) ? "\n" : " [%.10g]\n", p->fallback);
+  if (!p->values)
+    printf(isnan(p->default_value) || !*aspi_keyword_word(p) ? "\n" : " [%.10g]\n",
+           p->default_value);
 }
 
 /* A law with its parameters, those behind a word of their own in brackets. */
-static void put_law(const char *name, const asp_parameter *parameters, int count,
+static void put_law(const char *name, const aspi_keyword *parameters, int count,
                     const char *summary, const char *source) {
   const char *last = "";
   printf("  %s", name);
   for (int i = 0; i < count; i++) {
-    const char *keyword = aspi_parameter_keyword(&parameters[i]);
-    if (strcmp(keyword, last) != 0)
-      printf("%s [%s", *last ? "]" : "", keyword);
+    const char *word = aspi_keyword_word(&parameters[i]);
+    if (strcmp(word, last) != 0)
+      printf("%s [%s", *last ? "]" : "", word);
     putchar(' ');
     put_upper(parameters[i].name);
-    last = keyword;
+    last = word;
   }
   printf("%s\n      %s; source: %s\n", *last ? "]" : "", summary, source);
   for (int i = 0; i < count; i++)
     put_parameter(&parameters[i]);
+}
+
+static void put_model(const asp_spread_model *model) {
+  put_law(model->name, NULL, 0, model->summary, model->source);
+}
+
+static void put_rebound(const asp_rebound_law *law) {
+  char summary[200];
+  snprintf(summary, sizeof summary, law->d_most > 0 ? "%s, for particles of %g to %g um" : "%s",
+           law->summary, 1e6 * law->d_least, 1e6 * law->d_most);
+  put_law(law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters, summary,
+          law->source);
+}
+
+static void put_erosion(const aspi_erosion_law *law) {
+  put_law(law->name, law->parameters, law->n_parameters, law->summary, law->source);
+}
+
+bool cli_help_word(const char *name) {
+  const asp_spread_model *model = asp_spread_find(name, NULL);
+  const asp_rebound_law *rebound = asp_rebound_find(name, NULL);
+  const aspi_erosion_law *erosion = aspi_erosion_find(name, NULL);
+  bool found = model || rebound || erosion;
+  for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
+    if (strcmp(k->name, name) != 0 || !k->text)
+      continue;
+    printf(*k->within ? "behind %s:\n" : "", k->within);
+    put_keyword(k, 1);
+    found = true;
+  }
+  printf(model ? "behind spread:\n" : "");
+  if (model)
+    put_model(model);
+  printf(rebound ? "behind rebound:\n" : "");
+  if (rebound)
+    put_rebound(rebound);
+  printf(erosion ? "behind erosion:\n" : "");
+  if (erosion)
+    put_erosion(erosion);
+  return found;
 }
 
 void cli_help_wall(void) {
@@ -123,25 +173,17 @@ void cli_help_wall(void) {
         "once, in any order. A word that has no effect on the wall is an error. Defaults are in\n"
         "[brackets]. In a command particles fly along x over the wall z = 0, and an\n"
         "angle of the lay counts from x; without `materials` all but `calibrate` take Arizona\n"
-        "Road Dust on Hastelloy X (materials ard hastelloy-x).\n",
+        "Road Dust on Hastelloy X (materials ard hastelloy-x). 'asperity help WORD' shows one\n"
+        "keyword, model or law.\n",
         stdout);
   put_words("", 0);
   fputs("\nMODEL:\n", stdout);
   for (int i = 1; i < asp_spread_count(); i++) /* 0 is that of smooth walls */
-    put_law(asp_spread_name(asp_spread_at(i)), NULL, 0, asp_spread_summary(asp_spread_at(i)),
-            asp_spread_source(asp_spread_at(i)));
+    put_model(asp_spread_at(i));
   fputs("\nLAW, with the ranges and [defaults] of its parameters:\n", stdout);
-  for (int i = 0; i < asp_rebound_count(); i++) {
-    const asp_rebound_law *law = asp_rebound_at(i);
-    char summary[200];
-    snprintf(summary, sizeof summary, law->d_most > 0 ? "%s, for particles of %g to %g um" : "%s",
-             law->summary, 1e6 * law->d_least, 1e6 * law->d_most);
-    put_law(law->needs_table ? "table FILE" : law->name, law->parameters, law->n_parameters,
-            summary, law->source);
-  }
+  for (int i = 0; i < asp_rebound_count(); i++)
+    put_rebound(asp_rebound_at(i));
   fputs("\nLAW of erosion:\n", stdout);
-  for (int i = 0; i < aspi_erosion_count(); i++) {
-    const aspi_erosion_law *law = aspi_erosion_at(i);
-    put_law(law->name, law->parameters, law->n_parameters, law->summary, law->source);
-  }
+  for (int i = 0; i < aspi_erosion_count(); i++)
+    put_erosion(aspi_erosion_at(i));
 }

@@ -23,24 +23,26 @@ static const cli_command *find(const char *name) {
   return commands[index];
 }
 
+/* `asperity help` with words behind it. */
+static void help(int count, char **words) {
+  char *arguments[] = {words[0], "--help", NULL};
+  if (strcmp(words[0], "--words") == 0)
+    cli_complete(commands, count - 1, words + 1);
+  else if (strcmp(words[0], "wall") == 0)
+    cli_help_wall();
+  else if (aspi_find_name("", words[0], COMMANDS, name_at, NULL) >= 0 || !cli_help_word(words[0]))
+    cli_parse(find(words[0]), 2, arguments);
+  cli_file_close(stdout);
+}
+
 int main(int argc, char **argv) {
   gsl_set_error_handler_off();
   if (argc < 2)
     cli_bad_usage("a command is expected; see 'asperity --help'");
   const char *word = argv[1];
-  if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "wall") == 0) {
-    cli_help_wall();
-    cli_file_close(stdout);
-    return 0;
-  }
-  if (strcmp(word, "help") == 0 && argc > 2 && strcmp(argv[2], "--words") == 0) {
-    cli_complete(commands, argc - 3, argv + 3);
-    cli_file_close(stdout);
-    return 0;
-  }
   if (strcmp(word, "help") == 0 && argc > 2) {
-    char *arguments[] = {argv[2], "--help", NULL};
-    cli_parse(find(argv[2]), 2, arguments);
+    help(argc - 2, argv + 2);
+    return 0;
   }
   if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
     cli_help_all(commands);

@@ -17,10 +17,10 @@ enum { SUFFIX_MOST = 40 };
 /* The name of the file that is written; there is one at a time. */
 static const char *written;
 
-/* What is written in its place until it is whole; NULL: there is none. */
+/* Its temporary file until it is complete; NULL: none. */
 static char *partial;
 
-/* True if a file must not be replaced by another one: a device, a pipe, standard output. */
+/* True if a file cannot be replaced: a device, a pipe, standard output. */
 static bool stays(const struct stat *found) {
   struct stat out;
   return !S_ISREG(found->st_mode) || (fstat(STDOUT_FILENO, &out) == 0 && S_ISREG(out.st_mode) &&

@@ -29,7 +29,7 @@ static const char *ending_of(const char *path) {
   cli_bad_usage("--plot is '%s'; the file must end in .png, .svg or .pdf", path);
 }
 
-/* Runs gnuplot; false where it fails. */
+/* Runs gnuplot; false if it fails. */
 static bool run_gnuplot(char *const arguments[], FILE *in, FILE *out) {
   pid_t child;
   int status = -1;

@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 
-/* Noise makes no rebound so many times as fast as the impact. */
+/* A rebound this many times as fast as the impact is an error in the data, not noise. */
 #define FASTER_MOST 10
 
 #define FORMS                                                                                      \

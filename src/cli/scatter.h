@@ -47,8 +47,8 @@ enum {
   SCATTER_COLUMNS = SPIN + 3
 };
 
-/* A table that is read row by row; of each column its place in the file, -1 where there is none,
- * and its unit in SI (angles: degrees), NAN where it has no size, as in `units lj`. */
+/* A table that is read row by row. For each column: its place in the file (-1: missing) and its
+ * unit in SI (angles: degrees; NAN: unknown, as in `units lj`). */
 typedef struct cli_scatter {
   aspi_table *table;
   bool is_ledger, needed[SCATTER_COLUMNS];
@@ -70,8 +70,8 @@ void cli_scatter_turn(cli_scatter *table, const cli_option *from);
 /* Exits, with a hint, unless there is a column, with a number in each row. */
 void cli_scatter_need(cli_scatter *table, int column, const char *hint);
 
-/* The numbers of the next row in SI and degrees, NAN where there are none; false at the end of the
- * file, which is closed. */
+/* The numbers of the next row in SI and degrees, NAN if missing; false at the end of the file,
+ * which is then closed. */
 bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
 
 /* Impacts of a model or a simulation, which have coefficients, as `data` has them (NULL: none); and

@@ -100,8 +100,8 @@ static const struct {
 
 /* ---- names and units ---- */
 
-/* The column with the longest name that a plain name begins with, -1 where there is none, and what
- * stands behind it. */
+/* The column whose name is the longest beginning of a plain name, -1 if none, and the rest of the
+ * name. */
 static int column_of(const char *name, const char **rest) {
   for (size_t length = strlen(name); length > 0; length--)
     for (int c = 0; c < SCATTER_COLUMNS && (!name[length] || name[length] == '_'); c++)
@@ -129,7 +129,7 @@ static double factor_of(const char *kind, const char *unit, bool stated) {
 }
 
 /* The unit of a ledger's column that has none in its name: of the units in the first comment, else
- * of SI; NAN where they have no size. */
+ * of SI; NAN if they have no size. */
 static double ledger_unit(const char *header, const char *kind) {
   static const asp_units styles[] = {
       {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}, {"nano", 1e9, 1e21, 1e9}};
@@ -272,12 +272,13 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
     value[c] = NAN;
   for (int k = 0; k < t->count && found; k++) {
     int c = t->used[k];
-    double by = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
+    double factor = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
     if (c == OUTCOME)
       value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
     else
-      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / by, columns[c].most / by,
-                                  &value[c], t->needed[c] ? NULL : &missing, &cli_error));
+      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / factor,
+                                  columns[c].most / factor, &value[c],
+                                  t->needed[c] ? NULL : &missing, &cli_error));
     value[c] *= t->factor[c];
     value[c] = t->from_normal[c] ? 90 - value[c] : value[c];
   }

@@ -104,65 +104,65 @@ static void take_heading(study *s, const char *name, const char *heading) {
 }
 
 /* Repeats the impact of a row and takes the ratios of its draws. */
-static void weigh(study *s, size_t line, const double of[], aspi_drawn *d) {
+static void weigh(study *s, size_t line, const double fields[], aspi_drawn *d) {
   asp_impact is;
-  double lay[3], weights[WALLS_MOST], *own = d->own;
-  asp_particle particle = {.d_p = of[D_P],
-                           .density = s->has_mass ? of[MASS] / (ASP_PI / 6 * pow(of[D_P], 3))
-                                                  : s->own.density,
-                           .pair = s->own.pair,
-                           .lay = cli_description_lay(&s->own, lay)};
-  memcpy(particle.omega, of + SPIN, sizeof particle.omega);
-  asp_key key = {s->key.seed, s->key.wall, (uint64_t)of[TAG], (uint32_t)of[IMPACT]};
-  cli_must(!asp_wall_weights(s->own.wall, 1, &particle, of + BEFORE, of + NORMAL, &key, s->n_walls,
-                             s->walls, &is, weights, &cli_error));
-  const double *v = of + AFTER;
+  double lay[3], weights[WALLS_MOST], *self = d->self;
+  asp_particle particle = {
+      .d_p = fields[D_P],
+      .density = s->has_mass ? fields[MASS] / (ASP_PI / 6 * pow(fields[D_P], 3)) : s->own.density,
+      .pair = s->own.pair,
+      .lay = cli_description_lay(&s->own, lay)};
+  memcpy(particle.omega, fields + SPIN, sizeof particle.omega);
+  asp_key key = {s->key.seed, s->key.wall, (uint64_t)fields[TAG], (uint32_t)fields[IMPACT]};
+  cli_must(!asp_wall_weights(s->own.wall, 1, &particle, fields + BEFORE, fields + NORMAL, &key,
+                             s->n_walls, s->walls, &is, weights, &cli_error));
+  const double *v = fields + AFTER;
   double off = hypot(hypot(is.v2[0] - v[0], is.v2[1] - v[1]), is.v2[2] - v[2]);
-  if (!(off <= SAME * of[V1]) || is.hits != (int)of[HITS])
+  if (!(off <= SAME * fields[V1]) || is.hits != (int)fields[HITS])
     cli_bad_usage(
         "%s:%zu: impact %u of particle %.0f left with (%.6g, %.6g, %.6g) m/s after %.0f hits; with "
         "this description it leaves with (%.6g, %.6g, %.6g) after %d: description, constants and "
         "seed must be those of the run",
-        s->path, line, key.impact, of[TAG], v[0], v[1], v[2], of[HITS], is.v2[0], is.v2[1],
+        s->path, line, key.impact, fields[TAG], v[0], v[1], v[2], fields[HITS], is.v2[0], is.v2[1],
         is.v2[2], is.hits);
   for (size_t i = 0; i < s->n_names; i++)
-    own[ASPI_DERIVATIVE + i] = log(weights[2 * i] / weights[2 * i + 1]) / (2 * STEP);
+    self[ASPI_DERIVATIVE + i] = log(weights[2 * i] / weights[2 * i + 1]) / (2 * STEP);
   if (!s->has_other)
     return;
-  own[ASPI_OTHER] = weights[s->n_walls - 1];
-  s->steeper = fmax(
-      s->steeper, asp_wall_steeper(s->own.wall, s->walls[s->n_walls - 1], &particle, of + NORMAL));
+  self[ASPI_OTHER] = weights[s->n_walls - 1];
+  s->steeper = fmax(s->steeper, asp_wall_steeper(s->own.wall, s->walls[s->n_walls - 1], &particle,
+                                                 fields + NORMAL));
 }
 
-static void add_row(study *s, size_t line, const double of[]) {
-  if (of[BODY] > 0)
+static void add_row(study *s, size_t line, const double fields[]) {
+  if (fields[BODY] > 0)
     cli_bad_usage("%s:%zu: particle %.0f is part of body %.0f; it must be a single sphere, since "
                   "ledgers do not contain inertia",
-                  s->path, line, of[TAG], of[BODY]);
+                  s->path, line, fields[TAG], fields[BODY]);
   s->drawn = cli_grow(s->drawn, s->n, sizeof *s->drawn);
-  bool stuck = of[OUTCOME] > 0, stays = !(of[ALPHA1] > ALONG);
+  bool stuck = fields[OUTCOME] > 0, stays = !(fields[ALPHA1] > ALONG);
   asp_impact is = {.outcome = stuck ? ASP_DEPOSIT : ASP_REBOUND};
-  memcpy(is.v2, of + AFTER, sizeof is.v2);
-  asp_coefficients cor = asp_impact_coefficients(of + BEFORE, of + NORMAL, &is);
+  memcpy(is.v2, fields + AFTER, sizeof is.v2);
+  asp_coefficients cor = asp_impact_coefficients(fields + BEFORE, fields + NORMAL, &is);
   aspi_drawn *d = &s->drawn[s->n++];
-  *d = (aspi_drawn){.tag = of[TAG],
+  *d = (aspi_drawn){.tag = fields[TAG],
                     .row = (double)s->n,
-                    .own = {[ASPI_RUN] = 1, [ASPI_OTHER] = 1},
-                    .result = {stuck, stuck ? of[MASS] : 0, of[ERODED], stays ? NAN : cor.cor_n,
-                               stays ? NAN : cor.cor_t},
-                    .mesh = (int)of[MESH],
-                    .triangle = (int)of[TRIANGLE],
-                    .alpha1 = of[ALPHA1]};
+                    .self = {[ASPI_RUN] = 1, [ASPI_OTHER] = 1},
+                    .result = {stuck, stuck ? fields[MASS] : 0, fields[ERODED],
+                               stays ? NAN : cor.cor_n, stays ? NAN : cor.cor_t},
+                    .mesh = (int)fields[MESH],
+                    .triangle = (int)fields[TRIANGLE],
+                    .alpha1 = fields[ALPHA1]};
   /* A resting particle draws with another key; one that is still on its last face hits the mean
    * wall and draws nothing. */
   s->staying += stays;
-  if (!stays && (fabs(of[DELTA_ALPHA]) > 0 || fabs(of[TILT_OUT]) > 0))
-    weigh(s, line, of, d);
+  if (!stays && (fabs(fields[DELTA_ALPHA]) > 0 || fabs(fields[TILT_OUT]) > 0))
+    weigh(s, line, fields, d);
 }
 
 static void read_ledger(study *s, const char *name) {
   static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
-  double of[SCATTER_COLUMNS];
+  double fields[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
   take_heading(s, name, ledger.table->header);
   ledger.at[POINT] = ledger.at[POINT + COR_T] =
@@ -171,8 +171,8 @@ static void read_ledger(study *s, const char *name) {
     cli_scatter_need(&ledger, needed[i], "");
   for (int c = MASS; c < SCATTER_COLUMNS; c++)
     cli_scatter_need(&ledger, c, "; a ledger has it with 'columns full'");
-  while (cli_scatter_row(&ledger, of))
-    add_row(s, ledger.table->text.line, of);
+  while (cli_scatter_row(&ledger, fields))
+    add_row(s, ledger.table->text.line, fields);
   s->grains = aspi_drawn_order(s->drawn, s->n, &s->effective);
   if ((double)s->staying > STAYS_MOST * (double)s->n)
     cli_fail("%s: %zu of %zu impacts are of particles that rest at the wall, whose draws cannot be "
@@ -206,7 +206,7 @@ static double place_of(const aspi_drawn *d, int level) {
                              : 2147483648.0 * d->mesh + d->triangle;
 }
 
-static void print_parts(FILE *out, const study *s, const aspi_estimate *found, double share) {
+static void print_parts(FILE *out, const study *s, const aspi_derivative *found, double share) {
   for (int k = 0; k < ASPI_PARTS; k++)
     if (k < ASPI_DERIVATIVE + (int)s->n_names || (k == ASPI_OTHER && s->has_other))
       cli_row(out, ",%.6g,%.3g", found[k].value / share, found[k].se / share);
@@ -215,7 +215,7 @@ static void print_parts(FILE *out, const study *s, const aspi_estimate *found, d
 
 static void print_place(FILE *out, const study *s, int level, const aspi_drawn *at, size_t n) {
   for (int result = 0; result < ASPI_RESULTS; result++) {
-    aspi_estimate found[ASPI_PARTS];
+    aspi_derivative found[ASPI_PARTS];
     double share = result == ASPI_STUCK ? (double)s->grains : 1;
     if (!levels[level].names[result] || (result == ASPI_ERODED && !s->has_erosion))
       continue;
@@ -236,7 +236,8 @@ static void print_all(FILE *out, const study *s) {
   fputs("particles,all,all,", out);
   print_parts(
       out, s,
-      (aspi_estimate[]){{(double)s->grains, NAN}, {NAN, NAN}, {NAN, NAN}, {s->effective, NAN}}, 1);
+      (aspi_derivative[]){{(double)s->grains, NAN}, {NAN, NAN}, {NAN, NAN}, {s->effective, NAN}},
+      1);
   for (int level = 0; level < LEVELS; level++) {
     for (size_t i = 0; i < s->n; i++)
       s->drawn[i].place = place_of(&s->drawn[i], level);

@@ -1,7 +1,6 @@
 /* asperity spread: the law of the tilt delta_alpha, as samples, as a density, or in numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/running.h"
 #include "cli/description.h"
 #include "cli/cli.h"
 #include "description/description.h"
@@ -15,22 +14,23 @@
 
 enum { SAMPLES_MOST = 100000000 };
 
-/* A wall as a model looks at it. */
+/* Inputs of one spread model for one wall. */
 typedef struct scene {
   cli_description wall;
   const asp_spread_model *model;
-  aspi_view view;
+  aspi_spread_input view;
   bool by_size; /* the wall is more than a sigma */
 } scene;
 
-static bool draw_face(const scene *s, const aspi_view *view, aspi_stream *stream, double *delta) {
+static bool draw_face(const scene *s, const aspi_spread_input *view, aspi_stream *stream,
+                      double *delta) {
   aspi_path path = {0};
   if (s->wall.wall->follow)
     return s->wall.wall->follow(view, stream, &path, delta);
   return aspi_spread_draw(s->model, view, stream, delta);
 }
 
-static double draw(const scene *s, const aspi_view *view, uint64_t sample) {
+static double draw(const scene *s, const aspi_spread_input *view, uint64_t sample) {
   uint32_t seed = (uint32_t)asp_description_get(s->wall.words, "seed");
   aspi_stream stream = aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
   double delta;
@@ -40,16 +40,16 @@ static double draw(const scene *s, const aspi_view *view, uint64_t sample) {
   return delta;
 }
 
-static aspi_view view_of(const cli_description *wall, double d_p) {
+static aspi_spread_input view_of(const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   if (!surface)
-    return aspi_view_of(0, 0);
+    return aspi_spread_input_of(0, 0);
   double vector[3] = {0, 1, 0};
   const double *lay = cli_description_lay(wall, vector);
   double part = cli_description_shrink(wall, surface);
   double slope =
       lay ? aspi_surface_slope_along(surface, d_p, part) : asp_surface_slope(surface, d_p);
-  aspi_view view = aspi_view_of(atan(slope), 0);
+  aspi_spread_input view = aspi_spread_input_of(atan(slope), 0);
   view.kappa = asp_surface_kappa(surface, d_p) * part;
   view.phi_r = asp_surface_phi_r(surface) * sqrt(part);
   view.d_p = d_p;
@@ -77,7 +77,7 @@ static scene scene_of(const cli_call *call) {
   return s;
 }
 
-static void print_density(FILE *out, const asp_spread_model *model, const aspi_view *view) {
+static void print_density(FILE *out, const asp_spread_model *model, const aspi_spread_input *view) {
   fputs("delta_alpha_deg,density_per_deg\n", out);
   for (int i = -900; i <= 900; i++) {
     double density = model->density(view, aspi_radians(0.1 * i)) * ASP_PI / 180;
@@ -86,19 +86,17 @@ static void print_density(FILE *out, const asp_spread_model *model, const aspi_v
   }
 }
 
-static void print_summary(FILE *out, const asp_spread_model *model, const aspi_view *view,
+static void print_summary(FILE *out, const asp_spread_model *model, const aspi_spread_input *view,
                           double *sample, size_t n) {
-  aspi_running all = {0, 0, 0};
-  for (size_t i = 0; i < n; i++)
-    aspi_running_add(&all, sample[i]);
+  const double mean = gsl_stats_mean(sample, 1, n), sd = n > 1 ? gsl_stats_sd(sample, 1, n) : 0;
   gsl_sort(sample, 1, n);
-  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, aspi_degrees(view->alpha1),
-          all.mean, aspi_running_sd(&all), gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.05),
+  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, aspi_degrees(view->alpha1), mean,
+          sd, gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.05),
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.5),
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.95));
 }
 
-static void draw_sample(double *sample, size_t n, const scene *s, const aspi_view *view) {
+static void draw_sample(double *sample, size_t n, const scene *s, const aspi_spread_input *view) {
   cli_progress progress = cli_progress_begin("sampling", (double)n);
   for (size_t i = 0; i < n; i++) {
     sample[i] = aspi_degrees(draw(s, view, i));
@@ -109,7 +107,7 @@ static void draw_sample(double *sample, size_t n, const scene *s, const aspi_vie
 }
 
 static void one_angle(FILE *out, const cli_call *call, const scene *s, double angle, size_t n) {
-  aspi_view view = s->view;
+  aspi_spread_input view = s->view;
   view.alpha1 = aspi_radians(angle);
   if (cli_value(call, "pdf")) {
     print_density(out, s->model, &view);

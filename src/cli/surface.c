@@ -38,7 +38,7 @@ enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28 };
 
 /* ---- how a file is read ---- */
 
-/* Meters in a unit, or in so many of them; 0: there is none. */
+/* Meters in a unit, with a number in front if any; 0: not a unit. */
 static double unit_of(const char *text) {
   char *end;
   double factor = aspi_number(text, &end);
@@ -104,7 +104,7 @@ static aspi_profile_options read_options(const cli_call *call) {
 
 /* ---- profiles ---- */
 
-static void tell(FILE *out, const cli_measured *m) {
+static void print_measured(FILE *out, const cli_measured *m) {
   const asp_heights_numbers *n = &m->numbers;
   double spacing = m->heights->step[0], length = (double)m->heights->columns * spacing;
   fputs("# profile ", out);
@@ -328,7 +328,7 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
   }
   FILE *out = cli_output_open(call, "output", many ? NULL : first->text);
   if (measured)
-    tell(out, m);
+    print_measured(out, m);
   if (many)
     fprintf(out, "# generated: %s points a wall, lambda_c/%g apart\n", cli_value(call, "points"),
             POINTS_PER_LAMBDA);

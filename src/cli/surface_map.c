@@ -1,5 +1,5 @@
-/* asperity surface of a map: what a measured map is, and which slopes a sphere of a given size
- * finds on it.
+/* asperity surface of a map: statistics of a measured map, and the slopes that a sphere of a given
+ * size meets on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"

@@ -1,6 +1,6 @@
-/* asperity trade: speed against accuracy. Every model on one wall, at several impact angles,
- * against an ensemble of such walls, none of which has made a model: what an impact costs, how far
- * the law of the first hit and that of the final rebound are off.
+/* asperity trade: speed against accuracy. Compares every model on one wall, at several impact
+ * angles, with an independent ensemble of such walls: cost per impact, and errors of the first hit
+ * and of the final rebound.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/judge.h"
@@ -32,7 +32,7 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
   aspi_angles *angles = aspi_judge_model_rebounds(subject, model, angle);
   if (!angles)
     cli_fail("out of memory for %zu groups of rebounds", groups);
-  aspi_estimate kl =
+  aspi_mean_error kl =
       aspi_judge_divergence(judge, i, angles, groups, offsetof(aspi_angles, rebound));
   size_t sum = offsetof(aspi_angles, rebound_sum);
   double mean = aspi_angles_mean((aspi_angle_groups){angles, groups, 1}, sum).value,
@@ -44,7 +44,7 @@ static judged judge_at(const aspi_judge_case *subject, const aspi_judge *judge,
                   .rebound = {kl.value, kl.se, mean, reference}};
 }
 
-/* The models that are judged; those of Gaussian walls only are not, on a measured one. */
+/* The models to judge; on a measured wall without those for Gaussian walls only. */
 static size_t list_models(const aspi_judge_case *subject, const asp_spread_model **models) {
   size_t n = 0;
   for (int m = 0; m < asp_spread_count(); m++)
@@ -140,11 +140,11 @@ static void print(FILE *out, const judged *rows, size_t n) {
 
 /* ---- the case ---- */
 
-/* Exits where no ensemble of profiles is such a wall. */
+/* Exits if no ensemble of profiles represents the wall. */
 static void check_wall(const asp_description *words) {
   const char *kind = asp_description_word(words, "surface");
   if (strcmp(kind, "smooth") == 0)
-    cli_bad_usage("'surface' is missing; models are judged on a rough wall");
+    cli_bad_usage("trade needs a rough wall; 'surface smooth' has no tilts to compare");
   if (strcmp(kind, "map") == 0 || asp_description_lay(words).kind != ASP_LAY_NONE)
     cli_bad_usage("'%s' is given; models are judged in the plane of incidence, on a profile or by "
                   "a wall's numbers without a lay",

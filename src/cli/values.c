@@ -19,7 +19,7 @@
 /* And so is a lower stress (Pa). */
 #define STRESS_WITHOUT_UNIT 1e6
 
-/* A range with more steps is taken for a typing error. */
+/* A range with more steps is refused as a typing error. */
 #define STEPS_MOST 1e6
 
 #define LAW "lognormal:"
@@ -62,8 +62,8 @@ void cli_check_unit(const char *name, const char *text, const char *kind) {
   double value = aspi_number(text, &end);
   bool odd = stress ? value > 0 && value < STRESS_WITHOUT_UNIT : value > LENGTH_WITHOUT_UNIT;
   if (odd && !*end)
-    cli_bad_usage("%s is '%s' without a unit, which would be %g %s: say %s%s, or %s%s", name, text,
-                  value, unit, text, unit, text, usual);
+    cli_bad_usage("%s is '%s', i.e. %g %s; did you mean %s%s? (or %s%s)", name, text, value, unit,
+                  text, usual, text, unit);
 }
 
 /* A number of an option, which may have a unit of its kind behind it; a length is more than

@@ -59,9 +59,9 @@ void Model::report_yield() {
 }
 
 /* Warns of each doubt once: about the words (type 0), or about a type of particles. */
-void Model::ask(const asp_question &question, int type, int wall_type) {
+void Model::ask(const asp_check_input &question, int type, int wall_type) {
   char doubt[480];
-  for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
+  for (int i = 0; asp_warning(&question, i, doubt, sizeof doubt); i++)
     if (*doubt && !said_.count({0, doubt}) && said_.insert({type, doubt}).second)
       engine_.warn(type > 0 ? text("type %d on a wall of type %d: %s", type, wall_type, doubt)
                             : doubt);
@@ -77,7 +77,7 @@ void Model::warn_of_doubts() {
   doubted_for_[1] = most_;
   asp_particle largest = asp_particle();
   largest.d_p = most_;
-  asp_question question = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
+  asp_check_input question = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
   ask(question, 0, 0);
   for (size_t t = 0; t < kinds_.size() && !pairs_.empty(); t++)
     for (int w : wall_types_) {

@@ -14,40 +14,54 @@ bool asp_description_needs_sizes(const asp_description *d) {
 
 /* ---- what has no effect ---- */
 
+/* Why a word with this need has no effect; "": it has one. */
+static void find_lack(const asp_description *d, aspi_need need, char *why, size_t size) {
+  const double rate = asp_description_get(d, "yield_rate"),
+               heat = asp_description_get(d, "temperature"),
+               from = asp_description_get(d, "soften_from");
+  const bool is_cold =
+      !aspi_is_fit(d, "temperature") && !aspi_is_fit(d, "soften_from") && heat <= from;
+  const char *law = d->choice.law->name;
+  *why = '\0';
+  if (need == ASPI_ROUGH && d->kind == ASPI_SMOOTH)
+    aspi_append(why, size, "with surface smooth");
+  else if (need == ASPI_SIZES && !asp_description_needs_sizes(d))
+    aspi_append(why, size, "with spread %s", aspi_description_spread(d)->name);
+  else if (need == ASPI_PAIR && !d->choice.law->needs_pair)
+    aspi_append(why, size, "with rebound %s, which takes no materials", law);
+  else if (need == ASPI_NO_MU && asp_description_get(d, "mu") >= 0)
+    aspi_append(why, size, "with rebound %s, whose MU is one", law);
+  else if ((need == ASPI_STICKS && d->deposit == ASPI_DEPOSIT_OFF) ||
+           (need == ASPI_FREEZES && d->deposit != ASPI_FREEZE))
+    aspi_append(why, size, "with deposit %s", asp_description_word(d, "deposit"));
+  else if (need == ASPI_NO_RATE && rate > 0)
+    aspi_append(why, size, "with yield_rate");
+  else if (need == ASPI_HAS_YIELD && rate <= 0 && !aspi_is_given(d, "yield_stress"))
+    aspi_append(why, size, "with yield_rate 0");
+  else if (need == ASPI_IS_HOT && is_cold)
+    aspi_append(why, size, "at %g K: softening starts at %g K (soften FROM RATE)", heat, from);
+}
+
+static asp_code check_effect(const asp_description *d, const aspi_keyword *k, asp_error *error) {
+  char why[160];
+  for (unsigned need = 1; need <= k->needs; need *= 2) {
+    find_lack(d, (aspi_need)(k->needs & need), why, sizeof why);
+    if (*why)
+      return aspi_fail(error, ASP_EARG, "'%s' has no effect %s", k->name, why);
+  }
+  return ASP_OK;
+}
+
 /* Refuses the first given word without an effect. */
 static asp_code check_effects(const asp_description *d, asp_error *error) {
-  static const char no_pair[] = ", which takes no materials";
-  const asp_rebound_law *law = d->choice.law;
-  const double from = asp_description_get(d, "soften_from");
-  const bool is_hot = aspi_is_fit(d, "temperature") || aspi_is_fit(d, "soften_from") ||
-                      asp_description_get(d, "temperature") > from;
-  char degrees[40] = "";
-  aspi_append(degrees, sizeof degrees, "%g K only", from);
-  const struct {
-    const char *name;
-    bool idle;
-    const char *with, *which, *why;
-  } rules[] = {
-      {"spread", d->kind == ASPI_SMOOTH, "surface smooth", "", ""},
-      {"dp_bins", !asp_description_needs_sizes(d), "spread ", aspi_description_spread(d)->name, ""},
-      {"materials", !law->needs_pair, "rebound ", law->name, no_pair},
-      {"friction", asp_description_get(d, "mu") >= 0, "rebound ", law->name, ", whose MU is one"},
-      {"surface_energy", !law->needs_pair, "rebound ", law->name, no_pair},
-      {"surface_energy", d->deposit == ASPI_DEPOSIT_OFF, "deposit off", "", ""},
-      {"temperature", !is_hot, "soften: the yield stress falls above ", degrees, ""},
-      {"yield_stress", !law->needs_pair, "rebound ", law->name, no_pair},
-      {"yield_stress", asp_description_get(d, "yield_rate") > 0, "yield_rate", "", ""},
-      {"scatter", asp_description_get(d, "yield_rate") <= 0 && !aspi_is_given(d, "yield_stress"),
-       "yield_rate 0", "", ""},
-      {"adhesion", !law->needs_pair, "rebound ", law->name, no_pair},
-      {"adhesion", d->deposit == ASPI_DEPOSIT_OFF, "deposit off", "", ""},
-      {"remove", d->deposit != ASPI_FREEZE, "deposit ", asp_description_word(d, "deposit"), ""},
-      {"remove", !law->needs_pair, "rebound ", law->name, no_pair}};
-  for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
-    if (rules[i].idle && aspi_is_given(d, rules[i].name))
-      return aspi_fail(error, ASP_EARG, "'%s' has no effect with %s%s%s", rules[i].name,
-                       rules[i].with, rules[i].which, rules[i].why);
-  return ASP_OK;
+  asp_code code = ASP_OK;
+  for (const aspi_keyword *k = aspi_keywords; k->name && !code; k++)
+    if (d->given & aspi_keyword_bit(k))
+      code = check_effect(d, k, error);
+  for (int i = 0; i < d->choice.law->n_parameters && !code; i++)
+    if (d->of_law >> i & 1)
+      code = check_effect(d, &d->choice.law->parameters[i], error);
+  return code;
 }
 
 static asp_code check_spread(const asp_description *d, asp_error *error) {
@@ -76,11 +90,15 @@ asp_code asp_description_check_bodies(const asp_description *d, asp_error *error
 asp_code asp_description_check_pair(const asp_description *d, asp_error *error) {
   if (!d->choice.law->needs_pair)
     return ASP_OK;
+  char laws[200] = "";
+  for (int i = 0; i < asp_rebound_count(); i++)
+    if (!asp_rebound_at(i)->needs_pair)
+      aspi_append(laws, sizeof laws, " %s", asp_rebound_at(i)->name);
   if (d->n_materials != 2)
     return aspi_fail(error, ASP_EARG,
-                     "materials has %d names; it must be two, of particle and wall, as 'materials "
-                     "quartz hastelloy-x', or 'rebound' a law without materials, as walton",
-                     d->n_materials);
+                     "materials needs two names (particle, wall), got %d, as 'materials quartz "
+                     "hastelloy-x'; laws without materials:%s",
+                     d->n_materials, laws);
   const asp_material *m = d->materials[0];
   if (asp_description_get(d, "yield_rate") > 0 || aspi_is_given(d, "yield_stress") ||
       m->yield_stress > 0)

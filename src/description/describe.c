@@ -6,8 +6,9 @@
 static bool is_shown(const asp_description *d, const aspi_keyword *k) {
   const uint8_t *flag = (const uint8_t *)d + k->flag;
   return (!k->flag || *flag == k->sets) &&
-         (k->shown == ASPI_ALWAYS || (k->shown == ASPI_IF_ROUGH && d->kind != ASPI_SMOOTH) ||
-          (k->shown != ASPI_NEVER && d->given & aspi_keyword_bit(k)));
+         (k->printed == ASPI_PRINT ||
+          (k->printed == ASPI_PRINT_IF_ROUGH && d->kind != ASPI_SMOOTH) ||
+          (k->printed != ASPI_PRINT_NEVER && d->given & aspi_keyword_bit(k)));
 }
 
 static void write_value(aspi_line *l, const asp_description *d, const aspi_keyword *k) {
@@ -23,7 +24,8 @@ static void write_value(aspi_line *l, const asp_description *d, const aspi_keywo
     aspi_line_word_of(l, k->values, 2 * *(const uint8_t *)place);
 }
 
-/* All keywords within one; of those that need something behind them, only with that. */
+/* Writes all keywords within one. A keyword that needs values or words behind it is left out
+ * without them. */
 static void write_within(aspi_line *l, const asp_description *d, const char *within) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, within) != 0 || !is_shown(d, k))
@@ -49,7 +51,7 @@ size_t asp_description_text(const asp_description *d, char *text, size_t size) {
   return l.length;
 }
 
-/* Behind a word, or a name in quotes, and the blanks that follow. */
+/* Skips a word, or a name in quotes, and the blanks behind it. */
 static const char *behind_word(const char *at) {
   const char *end = *at == '"' || *at == '\'' ? aspi_quote_end(at) : NULL;
   at = end ? end + 1 : at + strcspn(at, " ");

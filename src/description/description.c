@@ -1,4 +1,4 @@
-/* A description and what can be asked of it: its numbers and words by name.
+/* A description, and access to its numbers and words by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/description.h"
@@ -6,6 +6,7 @@
 #include "base/error.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +23,7 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
   d->last = "";
   d->sigma = d->r_q = d->lambda_c = NAN;
   d->friction = d->surface_energy = d->yield_stress = NAN;
-  d->seed = aspi_keyword_find("seed")->fallback;
+  d->seed = aspi_keyword_find("seed")->default_value;
   d->choice = aspi_wall_choice_smooth();
   d->choice.isotropic = d->choice.multiple = true;
   d->choice.flow.micron = 1e-6 * aspi_quantity_factor("length", &d->units);
@@ -54,7 +55,7 @@ uint64_t aspi_keyword_bit(const aspi_keyword *k) {
 bool aspi_is_given(const asp_description *d, const char *name) {
   const asp_rebound_law *law = d->choice.law;
   for (int i = 0; i < law->n_parameters; i++)
-    if (d->of_law >> i & 1 && strcmp(aspi_parameter_keyword(&law->parameters[i]), name) == 0)
+    if (d->of_law >> i & 1 && strcmp(aspi_keyword_word(&law->parameters[i]), name) == 0)
       return true;
   return aspi_given_of(d, name, 0);
 }
@@ -87,21 +88,26 @@ void asp_description_expect_pairs(asp_description *d) {
 
 /* ---- numbers ---- */
 
-/* The keyword of a number that is not turned into another one; NULL for another name. */
-static const aspi_keyword *number_find(const char *name) {
-  for (const aspi_keyword *k = aspi_keywords; k->name; k++)
-    if (k->number && k->shown != ASPI_NEVER && strcmp(k->name, name) == 0)
+const aspi_keyword *aspi_number_find(const asp_description *d, const char *name, size_t *place) {
+  int i = name ? aspi_rebound_parameter_find(d->choice.law, name) : -1;
+  *place = offsetof(asp_description, choice.parameters) + (size_t)(i < 0 ? 0 : i) * sizeof(double);
+  if (i >= 0)
+    return &d->choice.law->parameters[i];
+  for (const aspi_keyword *k = aspi_keywords; k->name && name; k++)
+    if (k->number && k->printed != ASPI_PRINT_NEVER && strcmp(k->name, name) == 0) {
+      *place = k->number;
       return k;
+    }
   return NULL;
 }
 
 double asp_description_get(const asp_description *d, const char *name) {
-  int i = name ? aspi_rebound_parameter_find(d->choice.law, name) : -1;
-  const aspi_keyword *k = name && i < 0 ? number_find(name) : NULL;
-  double value = i >= 0 ? d->choice.parameters[i] : NAN;
+  size_t place;
+  double value = NAN;
+  const aspi_keyword *k = aspi_number_find(d, name, &place);
   if (k)
-    memcpy(&value, (const char *)d + k->number, sizeof value);
-  return k && !(value > 0) && !aspi_is_given(d, name) ? NAN : value;
+    memcpy(&value, (const char *)d + place, sizeof value);
+  return k && k->within && !(value > 0) && !aspi_is_given(d, name) ? NAN : value;
 }
 
 /* Lists the numbers of the law, and of the keywords that are given or begin a clause. */
@@ -111,50 +117,36 @@ static asp_code fail_name(const asp_description *d, const char *name, asp_error 
   for (int i = 0; i < law->n_parameters; i++)
     aspi_append(list, sizeof list, " %s", law->parameters[i].name);
   for (const aspi_keyword *k = aspi_keywords; k->name; k++)
-    if (number_find(k->name) && (!*k->within || aspi_is_given(d, k->name)))
+    if (k->number && k->printed != ASPI_PRINT_NEVER && (!*k->within || aspi_is_given(d, k->name)))
       aspi_append(list, sizeof list, " %s", k->name);
   snprintf(what, sizeof what, "of a wall with rebound law '%s', number", law->name);
   return aspi_fail_unknown(error, what, name ? name : "", list + 1);
 }
 
-static asp_code set_parameter(asp_description *d, int index, double value, asp_error *error) {
-  const asp_parameter *p = &d->choice.law->parameters[index];
-  asp_code code =
-      aspi_check_range(error, p->name, p->unit ? p->unit : "", value, p->least, p->most);
-  if (!code)
-    d->choice.parameters[index] = value;
-  return code;
-}
-
-static asp_code set_number(asp_description *d, const aspi_keyword *k, double value,
-                           asp_error *error) {
+asp_code asp_description_set(asp_description *d, const char *name, double value, asp_error *error) {
+  size_t place;
   char given[32] = "";
+  const aspi_keyword *k = aspi_number_find(d, name, &place);
+  if (!k || (k->within && *k->within && !aspi_is_given(d, name)))
+    return fail_name(d, name, error);
   aspi_append(given, sizeof given, "%g", value);
   asp_code code = aspi_keyword_check(k, given, value, error);
   if (code)
     return code;
-  memcpy((char *)d + k->number, &value, sizeof value);
-  aspi_set_given(d, k->name);
+  memcpy((char *)d + place, &value, sizeof value);
+  if (k->within)
+    aspi_set_given(d, name);
+  int kept = 0;
+  for (int i = 0; i < d->n_fitted; i++)
+    if (strcmp(d->fitted[i], name) != 0)
+      d->fitted[kept++] = d->fitted[i];
+  d->n_fitted = kept;
   return ASP_OK;
 }
 
-asp_code asp_description_set(asp_description *d, const char *name, double value, asp_error *error) {
-  int parameter = name ? aspi_rebound_parameter_find(d->choice.law, name) : -1;
-  const aspi_keyword *k = name && parameter < 0 ? number_find(name) : NULL;
-  if (parameter < 0 && (!k || (*k->within && !aspi_is_given(d, name))))
-    return fail_name(d, name, error);
-  asp_code code = k ? set_number(d, k, value, error) : set_parameter(d, parameter, value, error);
-  int kept = 0;
-  for (int i = 0; i < d->n_fits && !code; i++)
-    if (strcmp(d->fits[i], name) != 0)
-      d->fits[kept++] = d->fits[i];
-  d->n_fits = code ? d->n_fits : kept;
-  return code;
-}
-
 bool aspi_is_fit(const asp_description *d, const char *name) {
-  for (int i = 0; i < d->n_fits; i++)
-    if (strcmp(d->fits[i], name) == 0)
+  for (int i = 0; i < d->n_fitted; i++)
+    if (strcmp(d->fitted[i], name) == 0)
       return true;
   return false;
 }
@@ -181,8 +173,8 @@ const char *asp_description_word(const asp_description *d, const char *name) {
 
 const asp_spread_model *aspi_description_spread(const asp_description *d) {
   bool is_measured = d->kind == ASPI_PROFILE || d->kind == ASPI_MAP;
-  const char *standard = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "traced" : "visible";
-  return d->spread ? d->spread : asp_spread_find(standard, NULL);
+  const char *default_model = d->kind == ASPI_SMOOTH ? "none" : is_measured ? "traced" : "visible";
+  return d->spread ? d->spread : asp_spread_find(default_model, NULL);
 }
 
 const asp_rebound_law *asp_description_rebound(const asp_description *d) {
@@ -219,8 +211,9 @@ asp_pair *asp_description_pair(const asp_description *d, const asp_material *par
   asp_pair *pair = asp_pair_create(particle, target, error);
   if (!pair)
     return NULL;
-  double standard = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &d->units);
-  asp_pair_set(pair, "surface_energy", d->surface_energy >= 0 ? d->surface_energy : standard, NULL);
+  double default_energy = ASP_SURFACE_ENERGY * aspi_quantity_factor("energy/area", &d->units);
+  asp_pair_set(pair, "surface_energy", d->surface_energy >= 0 ? d->surface_energy : default_energy,
+               NULL);
   if (d->friction >= 0)
     asp_pair_set(pair, "friction", d->friction, NULL);
   if (d->yield_stress >= 0)

@@ -4,6 +4,7 @@
 #ifndef ASP_DESCRIPTION_DESCRIPTION_H
 #define ASP_DESCRIPTION_DESCRIPTION_H
 
+#include "base/keyword.h"
 #include "surface/describe.h"
 #include "wall/wall.h"
 
@@ -24,7 +25,7 @@ typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_de
 struct asp_description {
   asp_units units;
   uint64_t given;              /* a bit for each keyword of the table */
-  unsigned of_law, of_erosion; /* a bit for each parameter of the law whose word is given */
+  unsigned of_law, of_erosion; /* a bit for each given word of the law */
   const char *last;            /* the clause that was read last */
   asp_error broken;            /* the error of a clause that could not be read; it stays */
   struct aspi_offers *offers;  /* NULL: they are not asked for */
@@ -48,46 +49,16 @@ struct asp_description {
   bool pairs_come;          /* with the particles */
   double friction, surface_energy, yield_stress;
   double seed;
-  /* True lets numbers that may be unknown be `fit`, or `fit=START` in place of START: those of the
-   * law, and of keywords with `may_fit`. Such a number has the value START, else that of its
-   * default, else it is NaN: that of the materials. It is unknown until it is set. */
-  bool may_fit;
-  const char *fits[ASPI_FITS_MOST]; /* those that are, by name, in order */
-  int n_fits;
+  /* If true, a number of the law or of a `fittable` keyword may be `fit` or `fit=START`. Until the
+   * fit sets it, its value is START, the default, or NaN (from the materials), in this order. */
+  bool fittable;
+  const char *fitted[ASPI_FITS_MOST]; /* names of these numbers, in order */
+  int n_fitted;
   aspi_wall_choice choice; /* without what aspi_description_choice adds */
   aspi_cor_table *cor_table;
 };
 
 /* ---- the table of keywords ---- */
-
-/* When a keyword is in the canonical text. */
-typedef enum aspi_shown { ASPI_IF_GIVEN, ASPI_IF_ROUGH, ASPI_ALWAYS, ASPI_NEVER } aspi_shown;
-
-/* A keyword. Its value is a number, a string, one word of a choice, or has a form of its own (see
- * forms.c); behind it follow, in any order, the keywords within it. Places are offsets in the
- * description, 0 for none. */
-typedef struct aspi_keyword {
-  const char *within; /* the keyword that it belongs to; "" where it begins a clause */
-  const char *name;
-  const char *values;   /* as a syntax shows them; "" for none */
-  const char *standard; /* the default, as text; "" where there is none */
-  const char *text;     /* NULL: a value of the keyword that it is within */
-  const char *after;    /* of the keywords within that one, those that it may follow; "": none,
-                           it comes first; NULL: any */
-  size_t number;        /* place of a double */
-  const char *unit;     /* its kind, as "length"; "" for none; NULL: no number */
-  double fallback, least, most;
-  bool above;    /* it must be more than `least` */
-  bool whole;    /* it must be a whole number */
-  bool may_fit;  /* `asperity calibrate` can fit it */
-  size_t string; /* place of a char * */
-  size_t choice; /* place of a byte: the word's number among the values */
-  size_t flag;   /* place of a byte that the keyword sets to `sets` */
-  uint8_t sets;
-  aspi_shown shown;
-  bool needed; /* within its keyword */
-  bool in_si;  /* its constants are in SI, so the caller's units must be known */
-} aspi_keyword;
 
 /* All keywords; the last one has no name. */
 extern const aspi_keyword aspi_keywords[];
@@ -98,14 +69,18 @@ const aspi_keyword *aspi_keyword_find(const char *name);
 /* The keyword's bit in `given`. */
 uint64_t aspi_keyword_bit(const aspi_keyword *keyword);
 
+/* A number that asp_description_get and _set know: a parameter of the rebound law, else of a
+ * keyword; NULL: there is none. *place: its offset in the description. */
+const aspi_keyword *aspi_number_find(const asp_description *d, const char *name, size_t *place);
+
 /* Adds the words within one to a list, with blanks between. */
 void aspi_keyword_names(const char *within, char *list, size_t size);
 
-/* Checks the range of a number that was `given` so, and that it is whole where it must be. */
+/* Checks a number's range, and that it is whole if it must be; `given` is its text. */
 asp_code aspi_keyword_check(const aspi_keyword *keyword, const char *given, double value,
                             asp_error *error);
 
-/* ---- what the words say ---- */
+/* ---- content ---- */
 
 /* An empty description: a smooth wall. */
 asp_description *aspi_description_create(const asp_units *units, asp_error *error);
@@ -114,16 +89,16 @@ asp_description *aspi_description_create(const asp_units *units, asp_error *erro
 bool aspi_is_given(const asp_description *d, const char *name);
 void aspi_set_given(asp_description *d, const char *name);
 
-/* Of the keywords of a list that are given the nth, from 0; NULL: there are fewer. */
+/* The nth (from 0) given keyword of a list; NULL: there are fewer. */
 const char *aspi_given_of(const asp_description *d, const char *list, int nth);
 
 /* True if a number is unknown. */
 bool aspi_is_fit(const asp_description *d, const char *name);
 
-/* The spread model: the one that is given, or the default of the surface. */
+/* The spread model given, or the surface's default. */
 const asp_spread_model *aspi_description_spread(const asp_description *d);
 
-/* The parts of the wall that the words name, without surface, diameters and pair. */
+/* The parts of the wall given by words, without surface, diameters and pair. */
 aspi_wall_choice aspi_description_choice(const asp_description *d);
 
 /* The surface of a wall that is given by numbers. */
@@ -131,8 +106,8 @@ asp_surface *aspi_description_surface(const asp_description *d, asp_error *error
 
 /* ---- heights of a file ---- */
 
-/* Reads the file of a measured wall, if the caller has set no heights: NULL where there is nothing
- * to read. *doubt: what is doubtful about it. */
+/* Reads the file of a measured wall, unless the caller has set heights. *heights is NULL if there
+ * is nothing to read. *doubt: a warning about the file. */
 asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_error *doubt,
                            asp_error *error);
 

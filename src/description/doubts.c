@@ -28,23 +28,15 @@
 #define DIAMETERS_MOST 1e3
 #define HEIGHT_MOST 0.01
 
-/* Speeds at which an impact is tried, in m/s; over the range of all that flies. */
-#define SPEED_LEAST 1e-3
-#define SPEED_MOST 1e4
-enum { SPEEDS = 64 };
-
-/* Relative precision of a critical speed. */
-#define PRECISION 1e-4
-
 /* Each writes its doubt, if there is one; else the text stays empty. */
-typedef void ask(const asp_question *q, char *text, size_t size);
+typedef void ask(const asp_check_input *q, char *text, size_t size);
 
 /* A number of the caller's with its SI unit; as it is where the caller's units are unknown. */
 typedef struct si {
   char text[40];
 } si;
 
-static si in_si(const asp_question *q, double value, const char *kind) {
+static si in_si(const asp_check_input *q, double value, const char *kind) {
   si made = {""};
   char units[120];
   double factor = aspi_quantity_factor(kind, &q->words->units);
@@ -57,7 +49,7 @@ static si in_si(const asp_question *q, double value, const char *kind) {
 
 /* ---- constants of the pair ---- */
 
-static void yields_never(const asp_question *q, char *text, size_t size) {
+static void yields_never(const asp_check_input *q, char *text, size_t size) {
   const asp_pair *pair = q->largest->pair;
   if (pair && !(asp_description_get(q->words, "yield_rate") > 0) &&
       pair->yield_stress > YIELD_MOST * pair->modulus)
@@ -70,7 +62,7 @@ static void yields_never(const asp_question *q, char *text, size_t size) {
         in_si(q, pair->modulus, "stress").text);
 }
 
-static void has_other_density(const asp_question *q, char *text, size_t size) {
+static void has_other_density(const asp_check_input *q, char *text, size_t size) {
   const asp_material *m = q->material[0];
   double off = m ? fabs(q->largest->density / m->density - 1) : 0;
   if (q->largest->density > 0 && m && m->density > 0 && off > DENSITY_OFF)
@@ -81,49 +73,11 @@ static void has_other_density(const asp_question *q, char *text, size_t size) {
         100 * off, m->name, in_si(q, m->density, "density").text);
 }
 
-/* True if a normal impact at v sticks; oblique ones have less normal speed. */
-static bool sticks_at(const asp_description *d, const asp_particle *particle, double v) {
-  aspi_hit hit = {.v_n1 = v,
-                  .d_p = particle->d_p,
-                  .density = particle->density,
-                  .pair = particle->pair,
-                  .adhesion = true};
-  return !(d->choice.law->rebound(d->choice.parameters, &hit).v_n2 > 0);
-}
-
-double asp_description_capture_speed(const asp_description *d, const asp_particle *particle) {
-  double unit = aspi_quantity_factor("speed", &d->units);
-  if (!d->choice.law->needs_pair || !particle->pair || !(unit > 0) || !(particle->d_p > 0) ||
-      !(particle->density > 0) || d->deposit == ASPI_DEPOSIT_OFF)
-    return 0;
-  asp_pair pair = *particle->pair;
-  asp_particle held = *particle;
-  held.pair = &pair;
-  pair.surface_energy *= d->choice.flow.adhesion > 0 ? d->choice.flow.adhesion : 1;
-  particle = &held;
-  double low = SPEED_LEAST * unit, step = pow(SPEED_MOST / SPEED_LEAST, 1 / (SPEEDS - 1.0));
-  if (!sticks_at(d, particle, low))
-    return 0;
-  int i = 1;
-  while (i < SPEEDS && sticks_at(d, particle, low * step)) {
-    low *= step;
-    i++;
-  }
-  if (i == SPEEDS)
-    return INFINITY;
-  for (double high = low * step; high > (1 + PRECISION) * low;) {
-    double middle = sqrt(low * high);
-    *(sticks_at(d, particle, middle) ? &low : &high) = middle;
-  }
-  return low;
-}
-
-static void sticks_always(const asp_question *q, char *text, size_t size) {
+static void sticks_always(const asp_check_input *q, char *text, size_t size) {
   if (isinf(asp_description_capture_speed(q->words, q->largest)))
     aspi_append(
         text, size,
-        "every impact of particles of diameter %s and less sticks, whatever its speed: the "
-        "surface energy, %s, is too much for a yield stress of %s",
+        "particles up to %s always stick: surface energy %s is too high for the yield stress %s",
         in_si(q, q->largest->d_p, "length").text,
         in_si(q, q->largest->pair->surface_energy, "energy/area").text,
         in_si(q, q->largest->pair->yield_stress * asp_description_softening(q->words), "stress")
@@ -131,7 +85,7 @@ static void sticks_always(const asp_question *q, char *text, size_t size) {
 }
 
 /* Without adhesion these laws do not depend on the size. */
-static void has_other_sizes(const asp_question *q, char *text, size_t size) {
+static void has_other_sizes(const asp_check_input *q, char *text, size_t size) {
   const asp_rebound_law *law = q->words->choice.law;
   const double meter = q->words->units.meter, d_most = q->largest->d_p / meter;
   const double d_least = q->d_least > 0 ? q->d_least / meter : d_most;
@@ -151,7 +105,7 @@ static void has_other_sizes(const asp_question *q, char *text, size_t size) {
 
 /* ---- words ---- */
 
-static void is_high(const asp_question *q, char *text, size_t size) {
+static void is_high(const asp_check_input *q, char *text, size_t size) {
   double r_q = q->words->r_q, d_p = q->largest->d_p, meter = q->words->units.meter;
   if (d_p > 0 && r_q > DIAMETERS_MOST * d_p)
     aspi_append(text, size,
@@ -162,9 +116,9 @@ static void is_high(const asp_question *q, char *text, size_t size) {
     aspi_append(text, size, "rq is %g, which is %g m; is it in another unit?", r_q, r_q / meter);
 }
 
-static void is_soft(const asp_question *q, char *text, size_t size) {
+static void is_soft(const asp_check_input *q, char *text, size_t size) {
   const aspi_erosion *erosion = &q->words->choice.erosion;
-  const asp_parameter *p = erosion->law ? &erosion->law->parameters[0] : NULL;
+  const aspi_keyword *p = erosion->law ? &erosion->law->parameters[0] : NULL;
   bool hardness = p && strcmp(p->name, "hardness") == 0;
   if (p && strcmp(p->unit, "stress") == 0 &&
       erosion->si[0] < (hardness ? HARDNESS_LEAST : FLOW_STRESS_LEAST))
@@ -172,7 +126,7 @@ static void is_soft(const asp_question *q, char *text, size_t size) {
                 erosion->given[0], erosion->si[0], hardness ? "" : " or MPa");
 }
 
-static void has_no_sampling(const asp_question *q, char *text, size_t size) {
+static void has_no_sampling(const asp_check_input *q, char *text, size_t size) {
   double length = q->words->spacing;
   if (aspi_is_given(q->words, "rsm") && !aspi_is_given(q->words, "sampling"))
     aspi_append(text, size,
@@ -183,7 +137,7 @@ static void has_no_sampling(const asp_question *q, char *text, size_t size) {
                 in_si(q, length / aspi_r_sm_factor(ASPI_RSM_LEAST), "length").text);
 }
 
-static void holds_nothing(const asp_question *q, char *text, size_t size) {
+static void holds_nothing(const asp_check_input *q, char *text, size_t size) {
   const aspi_flow *flow = &q->words->choice.flow;
   double d_p = q->largest->d_p;
   if (flow->density > 0 && d_p > 0 && !(aspi_flow_adhesion(flow, d_p) > 0))
@@ -195,7 +149,7 @@ static void holds_nothing(const asp_question *q, char *text, size_t size) {
 }
 
 /* More than half of what sticks, of the largest particles, with the median of their adhesion. */
-static void blows_off(const asp_question *q, char *text, size_t size) {
+static void blows_off(const asp_check_input *q, char *text, size_t size) {
   const aspi_flow *flow = &q->words->choice.flow;
   const double d_p = q->largest->d_p, share = aspi_flow_adhesion(flow, d_p);
   if (q->largest->pair && share > 0 && asp_description_capture_speed(q->words, q->largest) > 0 &&
@@ -210,13 +164,13 @@ static void blows_off(const asp_question *q, char *text, size_t size) {
 
 /* ---- the wall that was made ---- */
 
-static void has_odd_heights(const asp_question *q, char *text, size_t size) {
+static void has_odd_heights(const asp_check_input *q, char *text, size_t size) {
   if (q->wall && q->wall->heights.doubt.code)
     aspi_append(text, size, "surface %s %s: %s", asp_description_word(q->words, "surface"),
                 q->words->file, q->wall->heights.doubt.text);
 }
 
-static void is_coarse(const asp_question *q, char *text, size_t size) {
+static void is_coarse(const asp_check_input *q, char *text, size_t size) {
   const aspi_wall_heights *h = q->wall ? &q->wall->heights : NULL;
   asp_error doubt;
   if (h && h->spacing > 0 && q->d_least > 0 &&
@@ -225,7 +179,7 @@ static void is_coarse(const asp_question *q, char *text, size_t size) {
                 q->words->file, doubt.text);
 }
 
-static void is_rough_twice(const asp_question *q, char *text, size_t size) {
+static void is_rough_twice(const asp_check_input *q, char *text, size_t size) {
   const asp_rebound_law *law = q->words->choice.law;
   if (q->wall && law->measured && asp_wall_surface(q->wall))
     aspi_append(
@@ -235,7 +189,7 @@ static void is_rough_twice(const asp_question *q, char *text, size_t size) {
         law->name);
 }
 
-static void draws_from_gaussian(const asp_question *q, char *text, size_t size) {
+static void draws_from_gaussian(const asp_check_input *q, char *text, size_t size) {
   const asp_spread_model *spread = q->wall ? asp_wall_spread(q->wall) : NULL;
   if (spread && q->words->file && !spread->prepare && strcmp(spread->name, "none") != 0)
     aspi_append(text, size,
@@ -244,7 +198,7 @@ static void draws_from_gaussian(const asp_question *q, char *text, size_t size) 
                 spread->name, q->words->file);
 }
 
-bool asp_doubt(const asp_question *question, int index, char *text, size_t size) {
+bool asp_warning(const asp_check_input *input, int index, char *text, size_t size) {
   static ask *const doubts[] = {
       is_high,       is_soft,       has_no_sampling, has_odd_heights,     is_coarse,
       holds_nothing, blows_off,     is_rough_twice,  draws_from_gaussian, has_other_density,
@@ -252,6 +206,6 @@ bool asp_doubt(const asp_question *question, int index, char *text, size_t size)
   *text = '\0';
   if (index < 0 || (size_t)index >= sizeof doubts / sizeof *doubts)
     return false;
-  doubts[index](question, text, size);
+  doubts[index](input, text, size);
   return true;
 }

@@ -37,7 +37,7 @@ void aspi_spread_write(aspi_line *l, const asp_description *d, const aspi_keywor
 /* A law with its values, in the caller's units. */
 typedef struct law {
   const char *name;
-  const asp_parameter *parameters;
+  const aspi_keyword *parameters;
   int count;
   const double *values;
 } law;
@@ -55,25 +55,16 @@ static law law_of(const asp_description *d, const aspi_keyword *k) {
                                d->choice.parameters};
 }
 
-static double standard_value(const asp_description *d, const asp_parameter *p) {
-  return p->fallback * aspi_quantity_factor(p->unit, &d->units);
-}
-
-/* The constants of a law of erosion whose least value is 0 must be more than that. */
-static asp_code read_parameter(aspi_words *r, const aspi_keyword *k, const asp_parameter *p,
+static asp_code read_parameter(aspi_words *r, const aspi_keyword *k, const aspi_keyword *p,
                                double *value) {
-  const aspi_keyword number = {.name = p->name,
-                               .unit = p->unit,
-                               .fallback = standard_value(r->d, p),
-                               .least = p->least,
-                               .most = p->most,
-                               .above = is_erosion(k) && !(p->least < 0),
-                               .may_fit = k->may_fit};
-  if (!p->words)
+  aspi_keyword number = *p;
+  int index;
+  number.fittable = k->fittable;
+  if (!p->values)
     return aspi_words_number(r, &number, value);
-  aspi_words_offer(r, p->words);
-  const char *given = aspi_words_word(r, p->name);
-  return given ? aspi_parameter_read(p, given, value, r->error) : ASP_EARG;
+  asp_code code = aspi_words_choice(r, p, &index);
+  *value = index;
+  return code;
 }
 
 /* The values of all parameters that follow one word; "": the law's name. */
@@ -82,7 +73,7 @@ static asp_code read_group(aspi_words *r, const aspi_keyword *k, const char *key
   double *values = is_erosion(k) ? r->d->choice.erosion.given : r->d->choice.parameters;
   asp_code code = ASP_OK;
   for (int i = 0; i < l.count && !code; i++)
-    if (strcmp(aspi_parameter_keyword(&l.parameters[i]), keyword) == 0)
+    if (strcmp(aspi_keyword_word(&l.parameters[i]), keyword) == 0)
       code = read_parameter(r, k, &l.parameters[i], &values[i]);
   return code;
 }
@@ -91,8 +82,8 @@ bool aspi_law_more(aspi_words *r, const aspi_keyword *k, asp_code *code) {
   const law l = law_of(r->d, k);
   unsigned *given = is_erosion(k) ? &r->d->of_erosion : &r->d->of_law;
   for (int i = 0; i < l.count; i++) {
-    const char *keyword = aspi_parameter_keyword(&l.parameters[i]);
-    if (!*keyword || !aspi_words_take(r, keyword))
+    const char *keyword = aspi_keyword_word(&l.parameters[i]);
+    if (!*keyword || !aspi_words_accept(r, keyword))
       continue;
     *code = *given >> i & 1 ? aspi_fail(r->error, ASP_EARG, "'%s' is given twice", keyword)
                             : read_group(r, k, keyword);
@@ -142,10 +133,10 @@ asp_code aspi_erosion_finish(aspi_words *r) {
   return ASP_OK;
 }
 
-static bool differs(const asp_description *d, const asp_parameter *p, double value) {
-  double standard = standard_value(d, p);
-  return value < standard || value > standard || (isnan(standard) && !isnan(value)) ||
-         aspi_is_fit(d, p->name);
+static bool differs(const asp_description *d, const aspi_keyword *p, double value) {
+  double default_value = p->default_value * aspi_quantity_factor(p->unit, &d->units);
+  return value < default_value || value > default_value ||
+         (isnan(default_value) && !isnan(value)) || aspi_is_fit(d, p->name);
 }
 
 /* Parameters behind one word are left out if all have their defaults. */
@@ -155,18 +146,17 @@ void aspi_law_write(aspi_line *to, const asp_description *d, const aspi_keyword 
   if (!is_erosion(k) && d->choice.law->needs_table)
     aspi_line_name(to, d->table);
   for (int i = 0, next; i < l.count; i = next) {
-    const char *keyword = aspi_parameter_keyword(&l.parameters[i]);
+    const char *keyword = aspi_keyword_word(&l.parameters[i]);
     bool any = !*keyword;
-    for (next = i;
-         next < l.count && strcmp(aspi_parameter_keyword(&l.parameters[next]), keyword) == 0;
+    for (next = i; next < l.count && strcmp(aspi_keyword_word(&l.parameters[next]), keyword) == 0;
          next++)
       any = any || differs(d, &l.parameters[next], l.values[next]);
     if (any && *keyword)
       aspi_line_word(to, keyword);
     for (int j = i; j < next && any; j++) {
-      const asp_parameter *p = &l.parameters[j];
-      if (p->words)
-        aspi_line_word_of(to, p->words, (int)l.values[j]);
+      const aspi_keyword *p = &l.parameters[j];
+      if (p->values)
+        aspi_line_word_of(to, p->values, 2 * (int)l.values[j]);
       else
         aspi_line_value(to, d, p->name, p->unit, l.values[j]);
     }

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Diameters that a measured wall is prepared for, where the description has no number. */
+/* Diameters that a measured wall is prepared for by default. */
 enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 
 /* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */
@@ -123,7 +123,7 @@ asp_wall *asp_wall_create(const asp_description *d, double d_least, double d_mos
   asp_heights *own;
   asp_error doubt;
   if (!d)
-    aspi_fail(error, ASP_EARG, "a wall is to be made of no description");
+    aspi_fail(error, ASP_EARG, "description is NULL");
   if (!d || asp_description_check(d, error) ||
       (!d->pairs_come && asp_description_check_pair(d, error)) ||
       aspi_heights_read(d, &own, &doubt, error))

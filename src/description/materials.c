@@ -14,7 +14,7 @@ static bool is_number(const char *word) {
   return end > word && !*end;
 }
 
-/* A name that is no material may be a keyword with a slip. */
+/* An unknown name may be a misspelled keyword. */
 static asp_code fail_material(aspi_words *r, const char *name) {
   if (aspi_words_misplaced(r, name))
     return ASP_ENAME;
@@ -32,7 +32,7 @@ static asp_code fail_material(aspi_words *r, const char *name) {
   return ASP_ENAME;
 }
 
-/* A material with the numbers of another one, in the caller's units. */
+/* A copy of a material in the caller's units. */
 static asp_material *converted(const asp_material *m, const asp_units *units, asp_error *error) {
   double pascal = aspi_quantity_factor("stress", units);
   asp_material *made = asp_material_create(m->name, error);

@@ -11,12 +11,12 @@ static bool may_be_next(const aspi_words *r, const aspi_keyword *k, bool first) 
   return !k->after || (*k->after ? aspi_is_given(r->d, k->after) : first);
 }
 
-/* The keyword within one that comes next, which is taken; NULL: there is none. */
+/* Accepts the next word if it is a keyword within `of`; NULL: it is not. */
 static const aspi_keyword *take_keyword(aspi_words *r, const aspi_keyword *of, bool first,
                                         asp_code *code) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
     if (strcmp(k->within, of->name) != 0 || !may_be_next(r, k, first) ||
-        !aspi_words_take(r, k->name))
+        !aspi_words_accept(r, k->name))
       continue;
     if (aspi_is_given(r->d, k->name))
       *code = aspi_fail(r->error, ASP_EARG, "'%s' is given twice", k->name);
@@ -25,18 +25,11 @@ static const aspi_keyword *take_keyword(aspi_words *r, const aspi_keyword *of, b
   return NULL;
 }
 
-/* The word's number among those of `freeze | delete | off`. */
 static asp_code read_choice(aspi_words *r, const aspi_keyword *k, uint8_t *place) {
-  aspi_words_offer(r, k->values);
-  const char *given = aspi_words_word(r, k->name);
-  int index = given ? aspi_word_index(k->values, given, strlen(given), true) : 0;
-  if (!given)
-    return ASP_EARG;
-  *place = (uint8_t)(index / 2);
-  return index >= 0 && index % 2 == 0
-             ? ASP_OK
-             : aspi_fail(r->error, ASP_EARG, "%s is '%.100s'; it must be %s", k->name, given,
-                         k->values);
+  int index;
+  asp_code code = aspi_words_choice(r, k, &index);
+  *place = (uint8_t)index;
+  return code;
 }
 
 /* A keyword's value to its place. */
@@ -67,7 +60,7 @@ static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
                : ASP_EARG;
 }
 
-/* A keyword whose name is taken: its value, and the keywords within it. */
+/* Reads the value of a keyword, and the keywords within it. */
 static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
   r->d->given |= aspi_keyword_bit(k);
   asp_code code = read_value(r, k);
@@ -86,31 +79,18 @@ static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
   return !code && form->finish ? form->finish(r) : code;
 }
 
-/* The clause that a name of a law, a model or a material belongs to; NULL: it is none. */
-static const char *find_clause(const char *name) {
-  return asp_rebound_find(name, NULL)            ? "rebound"
-         : asp_spread_find(name, NULL)           ? "spread"
-         : aspi_erosion_find(name, NULL)         ? "erosion"
-         : aspi_materials_find(NULL, name, NULL) ? "materials"
-                                                 : NULL;
-}
-
-/* Says where the word belongs, or lists those allowed at the start of a clause: those of all
- * clauses, of the last one, and the caller's. */
+/* Reports where the word belongs, or lists the words allowed here: keywords that begin a clause,
+ * words of the last clause, and the caller's. */
 static asp_code fail_keyword(const aspi_words *r, const char *name) {
   if (aspi_words_misplaced(r, name))
     return ASP_ENAME;
-  const char *clause = find_clause(name);
-  if (clause && !aspi_is_given(r->d, clause))
-    return aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s %s", name, clause, clause,
-                     name);
   char list[ASPI_LIST_MOST] = "";
   aspi_keyword_names("", list, sizeof list);
   if (*r->d->last)
     aspi_keyword_names(r->d->last, list, sizeof list);
   const asp_rebound_law *of = r->d->choice.law;
   for (int i = 0; i < of->n_parameters && strcmp(r->d->last, "rebound") == 0; i++) {
-    const char *keyword = aspi_parameter_keyword(&of->parameters[i]);
+    const char *keyword = aspi_keyword_word(&of->parameters[i]);
     if (!aspi_words_in_list(keyword, list))
       aspi_append(list, sizeof list, " %s", keyword);
   }
@@ -187,7 +167,7 @@ bool aspi_description_offer(aspi_offers *offers, int count, const char *const *w
   asp_description *d = aspi_description_create(NULL, &error);
   if (!d)
     return false;
-  d->may_fit = true;
+  d->fittable = true;
   d->offers = offers;
   asp_code code = ASP_OK;
   for (int next = 0, taken; next < count && !code; next += taken)

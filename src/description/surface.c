@@ -39,7 +39,7 @@ asp_code aspi_lay_read(aspi_words *r, const aspi_keyword *k) {
   static const char *const directions[] = {"axial", "circumferential"};
   asp_description *d = r->d;
   for (int i = 0; i < 2; i++)
-    if (aspi_words_take(r, directions[i])) {
+    if (aspi_words_accept(r, directions[i])) {
       d->lay = ASP_LAY_ANGLE;
       d->lay_word = directions[i];
       return ASP_OK;
@@ -125,11 +125,10 @@ static asp_code fail_spacing(aspi_words *r, const char *height) {
   for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     if (k->after && aspi_words_in_list(height, k->after))
       aspi_append(list, sizeof list, "%s%s %s", *list ? ", " : "", k->name, k->values);
-  return aspi_fail(
-      r->error, ASP_EARG,
-      "behind 'surface %s', one of these is expected: %s; if you know only the height, "
-      "see the page src/wall/from_a_drawing.md",
-      height, list);
+  return aspi_fail(r->error, ASP_EARG,
+                   "'surface %s R' needs a length or a slope: %s; if you know only the height, see "
+                   "src/wall/from_a_drawing.md",
+                   height, list);
 }
 
 /* rq and lambda_c of the numbers that instruments print. */

@@ -29,7 +29,7 @@ void aspi_words_offer(const aspi_words *r, const char *list) {
   }
 }
 
-bool aspi_words_take(aspi_words *r, const char *word) {
+bool aspi_words_accept(aspi_words *r, const char *word) {
   aspi_words_offer(r, word);
   bool here = aspi_words_next_is(r, word);
   r->next += here;
@@ -48,8 +48,66 @@ const char *aspi_words_word(aspi_words *r, const char *name) {
   if (r->next < r->count)
     return r->words[r->next++];
   aspi_words_offer(r, "");
-  aspi_fail(r->error, ASP_EARG, "the value of '%s' is missing", name);
+  aspi_fail(r->error, ASP_EARG, "'%s' needs a value", name);
   return NULL;
+}
+
+asp_code aspi_words_choice(aspi_words *r, const aspi_keyword *k, int *index) {
+  aspi_words_offer(r, k->values);
+  const char *given = aspi_words_word(r, k->name);
+  int word = given ? aspi_word_index(k->values, given, strlen(given), true) : 0;
+  *index = word / 2;
+  if (!given)
+    return ASP_EARG;
+  return word >= 0 && word % 2 == 0 ? ASP_OK
+                                    : aspi_fail(r->error, ASP_EARG, "%s is '%.100s'; it must be %s",
+                                                k->name, given, k->values);
+}
+
+/* True if a word names a law, model or material without its clause, or a second law or model. */
+static bool is_name(const aspi_words *r, const char *name) {
+  const asp_description *d = r->d;
+  const aspi_erosion_law *erosion = d->choice.erosion.law;
+  const struct {
+    const char *clause, *what, *present;
+    bool has;
+  } clauses[] = {{"rebound", "law", d->choice.law->name, asp_rebound_find(name, NULL)},
+                 {"spread", "model", d->spread ? d->spread->name : "", asp_spread_find(name, NULL)},
+                 {"erosion", "law", erosion ? erosion->name : "", aspi_erosion_find(name, NULL)},
+                 {"materials", NULL, NULL, aspi_materials_find(NULL, name, NULL)}};
+  for (size_t i = 0; i < sizeof clauses / sizeof *clauses; i++) {
+    const char *clause = clauses[i].clause;
+    if (!clauses[i].has)
+      continue;
+    if (!aspi_is_given(d, clause))
+      aspi_fail(r->error, ASP_ENAME, "'%s' belongs behind '%s': %s %s", name, clause, clause, name);
+    else if (clauses[i].what)
+      aspi_fail(r->error, ASP_ENAME, "%s takes one %s; '%s' follows '%s'", clause, clauses[i].what,
+                name, clauses[i].present);
+    return !aspi_is_given(d, clause) || clauses[i].what;
+  }
+  return false;
+}
+
+static bool has_word(const aspi_keyword *parameters, int count, const char *word) {
+  while (count > 0 && strcmp(aspi_keyword_word(&parameters[count - 1]), word) != 0)
+    count--;
+  return count > 0;
+}
+
+/* True if a word belongs to a law: the wall's own, or another. */
+static bool is_of_law(const aspi_words *r, const char *word) {
+  const asp_rebound_law *rebound = r->d->choice.law;
+  const aspi_erosion_law *erosion = NULL;
+  for (int i = 0; rebound && !has_word(rebound->parameters, rebound->n_parameters, word); i++)
+    rebound = asp_rebound_at(i);
+  for (int i = 0; i < aspi_erosion_count() && !rebound && !erosion; i++)
+    if (has_word(aspi_erosion_at(i)->parameters, aspi_erosion_at(i)->n_parameters, word))
+      erosion = aspi_erosion_at(i);
+  if (rebound || erosion)
+    aspi_fail(r->error, ASP_ENAME, "'%s' belongs to '%s %s'; put it behind these words", word,
+              rebound ? "rebound" : "erosion", rebound ? rebound->name : erosion->name);
+  return rebound || erosion;
 }
 
 bool aspi_words_misplaced(const aspi_words *r, const char *name) {
@@ -63,7 +121,7 @@ bool aspi_words_misplaced(const aspi_words *r, const char *name) {
               k->values);
     return true;
   }
-  return false;
+  return *name && (is_name(r, name) || is_of_law(r, name));
 }
 
 char *aspi_words_copy(const char *text, asp_error *error) {
@@ -101,10 +159,10 @@ asp_code aspi_words_check_units(const aspi_words *r, const char *name) {
 }
 
 /* The start of a fit where none is given. */
-static asp_code standard_start(aspi_words *r, const aspi_keyword *k, double *value) {
+static asp_code default_start(aspi_words *r, const aspi_keyword *k, double *value) {
   char units[120];
   aspi_quantity_units(k->unit, units, sizeof units);
-  *value = k->fallback;
+  *value = k->default_value * aspi_quantity_factor(k->unit, &r->d->units);
   return strcmp(k->unit, "length") != 0
              ? ASP_OK
              : aspi_fail(
@@ -119,19 +177,19 @@ asp_code aspi_words_number(aspi_words *r, const aspi_keyword *k, double *value) 
   if (!given)
     return ASP_EARG;
   bool begins = strncmp(given, "fit=", 4) == 0;
-  bool unknown = d->may_fit && k->may_fit && (begins || strcmp(given, "fit") == 0);
+  bool unknown = d->fittable && k->fittable && (begins || strcmp(given, "fit") == 0);
   if (unknown)
     start = begins ? given + 4 : NULL;
   asp_code code = start ? aspi_quantity_read(k->name, start, k->unit, &d->units, value, r->error)
-                        : standard_start(r, k, value);
+                        : default_start(r, k, value);
   if (!code && start)
     code = aspi_keyword_check(k, start, *value, r->error);
   if (code || !unknown)
     return code;
-  if (d->n_fits == ASPI_FITS_MOST)
-    return aspi_fail(r->error, ASP_EARG, "%s is one number too many to fit; there may be %d",
-                     k->name, ASPI_FITS_MOST);
-  d->fits[d->n_fits++] = k->name;
+  if (d->n_fitted == ASPI_FITS_MOST)
+    return aspi_fail(r->error, ASP_EARG, "at most %d numbers can be fitted; drop one, e.g. %s",
+                     ASPI_FITS_MOST, k->name);
+  d->fitted[d->n_fitted++] = k->name;
   return ASP_OK;
 }
 

@@ -24,15 +24,15 @@ typedef struct aspi_words {
   asp_error *error;
 } aspi_words;
 
-/* True if the next word is this one, or begins with a number; take: and goes past it. */
+/* True if the next word is this one, or begins with a number. accept: also goes past it. */
 bool aspi_words_next_is(const aspi_words *words, const char *word);
-bool aspi_words_take(aspi_words *words, const char *word);
+bool aspi_words_accept(aspi_words *words, const char *word);
 bool aspi_words_number_next(const aspi_words *words);
 
 /* Offers the words of a list, `freeze | delete | off`, if they would come behind the last word. */
 void aspi_words_offer(const aspi_words *words, const char *list);
 
-/* Takes the next word; NULL and a message that the value of `name` is missing where there is none.
+/* Takes the next word. Returns NULL and reports that `name` needs a value at the end of the words.
  */
 const char *aspi_words_word(aspi_words *words, const char *name);
 
@@ -42,7 +42,11 @@ asp_code aspi_words_file(aspi_words *words, const char *name, char **file);
 /* Takes a number, with its unit if it has one, or `fit` where it may be that. */
 asp_code aspi_words_number(aspi_words *words, const aspi_keyword *keyword, double *value);
 
-/* True, with a message where it belongs, if a word is a keyword within another one. */
+/* Takes one of the keyword's values, as "freeze | delete | off": its number, from 0. */
+asp_code aspi_words_choice(aspi_words *words, const aspi_keyword *keyword, int *index);
+
+/* True, with a message, if a word belongs elsewhere: behind another keyword, or to a law or model.
+ */
 bool aspi_words_misplaced(const aspi_words *words, const char *name);
 
 /* ASP_EARG if two keywords of a list are given. */
@@ -61,7 +65,7 @@ static inline bool aspi_words_in_list(const char *word, const char *list) {
 /* A copy from malloc; NULL and a message when out of memory. */
 char *aspi_words_copy(const char *text, asp_error *error);
 
-/* The text so far; what does not fit is counted only. */
+/* The text so far. Characters that do not fit are only counted. */
 typedef struct aspi_line {
   char *text;
   size_t size, length;
@@ -94,8 +98,8 @@ typedef struct aspi_form {
 /* The form of a keyword's value. */
 const aspi_form *aspi_form_of(const aspi_keyword *keyword);
 
-/* parse.c: offers what may follow these words, which need not be complete. True if they may end
- * here, or are no description. */
+/* parse.c: offers the words that may follow. The given words need not be complete. True if they may
+ * end here, or are not a description. */
 bool aspi_description_offer(aspi_offers *offers, int count, const char *const *words);
 
 /* surface.c */

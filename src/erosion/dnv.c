@@ -9,19 +9,9 @@
 
 enum { K, N, N_PARAMETERS };
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [K] = {.name = "k",
-           .unit = "",
-           .fallback = 2e-9,
-           .most = INFINITY,
-           .text = "factor at 1 m/s; steel 2e-9",
-           .keyword = "k"},
-    [N] = {.name = "n",
-           .unit = "",
-           .fallback = 2.6,
-           .most = 10,
-           .text = "exponent of the speed; steel 2.6",
-           .keyword = "n"},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [K] = {"k", "", 2e-9, 0, INFINITY, "factor at 1 m/s; steel 2e-9", .above = true},
+    [N] = {"n", "", 2.6, 0, 10, "exponent of the speed; steel 2.6", .above = true},
 };
 
 static double rate(const double *p, double v, double sine, double cosine, double d_p) {

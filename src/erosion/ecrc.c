@@ -10,26 +10,12 @@
 
 enum { BRINELL, GRAINS, C, N, N_PARAMETERS };
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [BRINELL] = {.name = "brinell", .unit = "", .most = INFINITY, .text = "hardness of the wall"},
-    [GRAINS] = {.name = "grains",
-                .unit = "",
-                .most = 2,
-                .text = "their form: F_s 1, 0.53 and 0.2",
-                .keyword = "grains",
-                .words = "sharp semi_rounded round"},
-    [C] = {.name = "c",
-           .unit = "",
-           .fallback = 2.17e-7,
-           .most = INFINITY,
-           .text = "factor at 1 m/s",
-           .keyword = "c"},
-    [N] = {.name = "n",
-           .unit = "",
-           .fallback = 2.41,
-           .most = 10,
-           .text = "exponent of the speed",
-           .keyword = "n"},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [BRINELL] = {"brinell", "", 0, 0, INFINITY, "hardness of the wall", .word = "", .above = true},
+    [GRAINS] = {"grains", "", 0, 0, 2, "their form: F_s 1, 0.53 and 0.2",
+                .values = "sharp | semi_rounded | round"},
+    [C] = {"c", "", 2.17e-7, 0, INFINITY, "factor at 1 m/s", .above = true},
+    [N] = {"n", "", 2.41, 0, 10, "exponent of the speed", .above = true},
 };
 
 static double rate(const double *p, double v, double sine, double cosine, double d_p) {

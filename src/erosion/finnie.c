@@ -12,26 +12,11 @@
 
 enum { P, PSI, K, SHARE, N_PARAMETERS };
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [P] = {.name = "flow_stress", .unit = "stress", .most = INFINITY, .text = "of the wall"},
-    [PSI] = {.name = "psi",
-             .unit = "",
-             .fallback = 2,
-             .most = INFINITY,
-             .text = "length over depth of a cut",
-             .keyword = "psi"},
-    [K] = {.name = "k",
-           .unit = "",
-           .fallback = 2,
-           .most = INFINITY,
-           .text = "normal over tangential force on the grain",
-           .keyword = "k"},
-    [SHARE] = {.name = "share",
-               .unit = "",
-               .fallback = 1,
-               .most = 1,
-               .text = "of the grains that cut; other codes take 0.1",
-               .keyword = "share"},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [P] = {"flow_stress", "stress", 0, 0, INFINITY, "of the wall", .word = "", .above = true},
+    [PSI] = {"psi", "", 2, 0, INFINITY, "length over depth of a cut", .above = true},
+    [K] = {"k", "", 2, 0, INFINITY, "normal over tangential force on the grain", .above = true},
+    [SHARE] = {"share", "", 1, 0, 1, "of the grains that cut; other codes take 0.1", .above = true},
 };
 
 static double rate(const double *p, double v, double sine, double cosine, double d_p) {

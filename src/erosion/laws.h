@@ -1,5 +1,5 @@
-/* The list of the erosion laws. A law gives the mass that one impact wears off, by speed,
- * impact angle and diameter. A new law is one file that defines its record, and one line here.
+/* The list of the erosion laws. A law gives the eroded mass of one impact from speed, impact angle
+ * and diameter. To add a law, write one file with its record and add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_EROSION_LAWS_H
@@ -13,9 +13,9 @@ typedef struct aspi_erosion_law {
   const char *name;
   const char *summary;
   const char *source;
-  bool is_volume; /* the law gives a volume of the wall, else a mass */
+  bool is_volume; /* the law gives an eroded volume, otherwise a mass */
   int n_parameters;
-  const asp_parameter *parameters; /* fallback NaN: it follows from others; see the law */
+  const aspi_keyword *parameters; /* default_value NaN: derived from other parameters */
   /* Parameters and all that follows in SI: m^3 or kg of the wall per kg of the particle, at the
    * speed v, under the impact angle of this sine and cosine. */
   double (*rate)(const double *parameters, double v, double sine, double cosine, double d_p);
@@ -36,16 +36,16 @@ typedef struct aspi_erosion {
   const aspi_erosion_law *law;           /* NULL: nothing is worn */
   double given[ASPI_EROSION_PARAMETERS]; /* in the caller's units */
   double si[ASPI_EROSION_PARAMETERS];
-  double density; /* of the wall, in the caller's units; 0: that of the pair's material */
-  bool tilted;    /* by the faces that are hit, else by the mean wall */
-  double meter, meter_per_second, density_unit; /* how many of the caller's units make one of SI */
+  double density; /* of the wall, in the caller's units; 0: use the pair's material */
+  bool tilted;    /* use the faces that are hit, otherwise the mean wall */
+  double meter, meter_per_second, density_unit; /* the caller's units per SI unit */
 } aspi_erosion;
 
-/* Takes a law and its defaults, as if they were given. */
+/* Sets a law with its defaults. */
 void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const asp_units *units);
 
-/* Mass of the wall per mass of the particle that one hit wears off; in the caller's units.
- * wall_density: that of the pair's material, 0 where there is none. */
+/* Eroded wall mass per particle mass of one hit, in the caller's units. wall_density: of the pair's
+ * material; 0: unknown. */
 double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, double v, double sine,
                           double cosine, double d_p);
 

@@ -15,41 +15,18 @@
 enum { HARDNESS, PARTICLES, WALL, A, B, K, K1, K2, K3, SPEED, DIAMETER, N1, N2, N_PARAMETERS };
 
 #define OKA(NAME, UNIT, TEXT)                                                                      \
-  {                                                                                                \
-    .name = NAME, .unit = UNIT, .fallback = NAN, .least = -INFINITY, .most = INFINITY,             \
-    .text = TEXT ", where it is not that of the particles' kind", .keyword = NAME                  \
-  }
+  { NAME, UNIT, NAN, -INFINITY, INFINITY, TEXT ", where it is not that of the particles' kind" }
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [HARDNESS] = {.name = "hardness",
-                  .unit = "stress",
-                  .most = INFINITY,
-                  .text = "Vickers hardness of the wall"},
-    [PARTICLES] = {.name = "particles",
-                   .unit = "",
-                   .most = 2,
-                   .text = "what they are of",
-                   .keyword = "particles",
-                   .words = "sio2 sic glass"},
-    [WALL] = {.name = "wall",
-              .unit = "",
-              .most = 2,
-              .text = "what it is of: (a H)^-b 3, 10 and 1000",
-              .keyword = "wall",
-              .words = "carbon_steel stainless_steel aluminum"},
-    [A] = {.name = "a",
-           .unit = "",
-           .fallback = NAN,
-           .most = INFINITY,
-           .text = "a of (a H)^(k1 b), in 1/GPa, where it is not that of the wall's kind",
-           .keyword = "a_b"},
-    [B] = {.name = "b",
-           .unit = "",
-           .fallback = NAN,
-           .least = -INFINITY,
-           .most = INFINITY,
-           .text = "b of (a H)^(k1 b)",
-           .keyword = "a_b"},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [HARDNESS] = {"hardness", "stress", 0, 0, INFINITY, "Vickers hardness of the wall", .word = "",
+                  .above = true},
+    [PARTICLES] = {"particles", "", 0, 0, 2, "what they are of", .values = "sio2 | sic | glass"},
+    [WALL] = {"wall", "", 0, 0, 2, "what it is of: (a H)^-b 3, 10 and 1000",
+              .values = "carbon_steel | stainless_steel | aluminum"},
+    [A] = {"a", "", NAN, 0, INFINITY,
+           "a of (a H)^(k1 b), in 1/GPa, where it is not that of the wall's kind", .above = true,
+           .word = "a_b"},
+    [B] = {"b", "", NAN, -INFINITY, INFINITY, "b of (a H)^(k1 b)", .word = "a_b"},
     [K] = OKA("k", "", "K"),
     [K1] = OKA("k1", "", "exponent of (a H)^b"),
     [K2] = OKA("k2", "", "exponent of the speed"),
@@ -71,8 +48,8 @@ static const struct {
 /* (a H)^-b of each material of the wall. */
 static const double walls[] = {3, 10, 1000};
 
-static double or (double given, double standard) {
-  return isnan(given) ? standard : given;
+static double or (double given, double default_value) {
+  return isnan(given) ? default_value : given;
 }
 
 static double rate(const double *p, double v, double sine, double cosine, double d_p) {

@@ -112,7 +112,7 @@ std::string PatchWall::heading() const {
 std::string PatchWall::notes(const Cloud &cloud) {
   const asp_particle largest = {
       cloud.d_most, cloud.density, asp_wall_pair(wall_.get()), {0, 0, 0}, NULL, 0, 0, NULL};
-  const asp_question question = {
+  const asp_check_input input = {
       words_.get(),
       wall_.get(),
       cloud.d_least,
@@ -120,7 +120,7 @@ std::string PatchWall::notes(const Cloud &cloud) {
       {asp_description_material(words_.get(), 0), asp_description_material(words_.get(), 1)}};
   std::string all;
   char doubt[480];
-  for (int i = 0; asp_doubt(&question, i, doubt, sizeof doubt); i++)
+  for (int i = 0; asp_warning(&input, i, doubt, sizeof doubt); i++)
     if (*doubt && said_.insert(doubt).second)
       all += std::string("\n    warning: ") + doubt;
   return all;

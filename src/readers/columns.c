@@ -1,7 +1,8 @@
 /* Measured walls as text: positions and heights of a profile in columns, or heights alone; a map as
  * a matrix of heights, a line a row, or as lines of x, y, z on a grid. Units and spacing stand in
  * names, in a line of units, or in the header (`Spacing: 0.5 um`, as instruments, SPIP and Gwyddion
- * write it). What the file does not say is asked for; numbers that are left out are warned of.
+ * write it). If the file lacks unit or spacing, the error asks for it; a warning counts numbers
+ * left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
@@ -16,7 +17,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* With fewer rows than this, a line of another kind is no end of them. */
+/* A line of another kind ends the rows only after at least this many. */
 enum { ROWS_LEAST = 3 };
 
 /* Axes of a matrix are even but for this part of their step. */
@@ -54,10 +55,10 @@ enum { X, Y, Z, VALID, AXES };
 typedef struct reader {
   aspi_table *table;
   const aspi_profile_options *options;
-  int column[AXES];                 /* from 0, -1 where there is none; of a matrix Z is -1 */
+  int column[AXES];                 /* from 0, -1 if there is none; of a matrix Z is -1 */
   double unit[3];                   /* m; < 0 for depths */
   double step[2];                   /* m, as the user or the file states it; 0: it is not stated */
-  double value[3];                  /* of the row at hand in those columns, not in a matrix */
+  double value[3];                  /* of the current row in those columns, not in a matrix */
   int due;                          /* fields of a row */
   size_t stated;                    /* rows by the header, 0: it does not say */
   size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
@@ -105,7 +106,7 @@ static bool is_of(const char *list, const aspi_column *c) {
   return aspi_word_index(list, c->plain, first_word(c->plain), false) >= 0;
 }
 
-/* The unit at the end of a name in m, 0 where there is none of length. */
+/* The unit at the end of a name in m, 0 if there is none of length. */
 static double unit_in(const aspi_column *c) {
   double unit = 0;
   for (const char *end = c->plain; *end && !(unit > 0); end += *end == '_')
@@ -141,8 +142,8 @@ static asp_code find_asked(const reader *r, const char *asked, int *found, asp_e
                          asked, r->due);
 }
 
-/* The columns that neither the user nor names state. Of two columns the first is that of positions
- * where no name is known, and the other one that of heights where one is named as positions. */
+/* Guesses columns that neither user nor names state. Of two columns without known names the first
+ * has positions; if one is named as positions the other has heights. */
 static void complete(reader *r, bool alone) {
   int *x = &r->column[X], *z = &r->column[Z], named = r->table->columns;
   int position = first_of(r, positions, *z), height = first_of(r, heights, *x);
@@ -243,7 +244,7 @@ static bool fits(reader *r) {
   return good;
 }
 
-/* The beginning of the line at hand, and if there are digits in it. */
+/* The beginning of the current line, and if there are digits in it. */
 static bool show(const aspi_table *t, char *shown, size_t size) {
   bool digits = false;
   *shown = '\0';
@@ -256,7 +257,7 @@ static bool show(const aspi_table *t, char *shown, size_t size) {
   return digits;
 }
 
-/* Checks the number of fields of the row at hand. */
+/* Checks the number of fields of the current row. */
 static asp_code check_count(const reader *r, asp_error *error) {
   const aspi_table *t = r->table;
   bool matrix = r->column[Z] < 0, comma = t->separator == ',';
@@ -270,8 +271,8 @@ static asp_code check_count(const reader *r, asp_error *error) {
   return ASP_OK;
 }
 
-/* Reads the next row. A line of another kind is the end of the rows, unless there are rows behind
- * it and the header does not say that all were read. */
+/* Reads the next row. A line of another kind ends the rows, unless more rows follow and the header
+ * does not state that all were read. */
 static asp_code next_row(reader *r, bool *found, asp_error *error) {
   aspi_table *t = r->table;
   char first_shown[48], shown[48];
@@ -289,10 +290,10 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
     }
     bool digits = show(t, other ? shown : first_shown, sizeof shown);
     if (!full && (other ? good && first : first || t->rows < ROWS_LEAST))
-      return aspi_file_fail(t->text.path, other ? other : t->text.line, error,
-                            "'%s' where numbers are expected (or a height that is missing: nan, "
-                            "bad, --- or nothing)",
-                            first_shown);
+      return aspi_file_fail(
+          t->text.path, other ? other : t->text.line, error,
+          "'%s' is not a number; a missing height is written nan, bad, ---, or left empty",
+          first_shown);
     other = other ? other : t->text.line;
     r->left_line = r->left == 0 ? t->text.line : r->left_line;
     r->left += digits;
@@ -365,7 +366,7 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
   return code;
 }
 
-/* Numbers above a single column that count what is below them are no heights. */
+/* Counts above a single column are not heights. */
 static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
   size_t skip = 0;
   for (size_t i = 0; i < 2 && i + ROWS_LEAST < p->count && skip == 0; i++)
@@ -380,7 +381,7 @@ static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
     p->list[i].x = (double)i * r->step[0];
 }
 
-/* Rows of positions and heights; of a profile without positions they are the step apart. */
+/* Reads rows of positions and heights. A profile without positions has equal steps. */
 static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_error *error) {
   const int *at = r->column;
   asp_code code = ASP_OK;
@@ -396,7 +397,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
         aspi_points_precision(points, r->table->fields[at[k]]);
       }
     double z = height_at(r, at[Z], raw);
-    code = aspi_points_add(points, (aspi_point){position[0], position[1], z, r->table->text.line},
+    code = aspi_points_add(points, (aspi_xyz){position[0], position[1], z, r->table->text.line},
                            error);
   }
   if (!code && r->due == 1)
@@ -404,7 +405,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
   return code;
 }
 
-/* Notes how the file was read, and what was not. */
+/* Notes how the file was read, and what was left out. */
 static void describe(const reader *r, aspi_raw *raw) {
   const int x = r->column[X] + 1, y = r->column[Y] + 1, z = r->column[Z] + 1;
   bool chosen = r->due > 2 && !raw->is_map;

@@ -15,9 +15,9 @@
 /* At the cut-off half of an amplitude passes: alpha^2 = ln 2/pi. */
 #define ALPHA 0.46971863934982566
 
-/* Takes the waves beyond the cut-off out of the heights, or with `keep` leaves only those. The
- * running mean of the heights is a real part, that of the weights, 1 within the profile, an
- * imaginary one. */
+/* Subtracts waves beyond the cut-off from the heights, or with `keep` keeps only these. One complex
+ * transform filters both: heights in the real part, weights (1 within the profile) in the imaginary
+ * one. */
 static asp_code filter(double *heights, size_t points, double spacing, double cutoff, bool keep,
                        asp_error *error) {
   size_t n = aspi_power_of_two(points + (size_t)fmin(2 * cutoff / spacing + 2, 1e9));

@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Heights and spacings beyond these (m) are no surface, and could overflow. */
+/* Heights and spacings beyond these (m) have a wrong unit, and could overflow. */
 #define LENGTH_MOST 1e9
 #define SPACING_LEAST 1e-15
 
@@ -79,9 +79,9 @@ static asp_code take_out_form(aspi_raw *raw, int degree, asp_error *error) {
 
 /* ---- spikes ---- */
 
-/* The distance of a height from the median of its neighbors on the line through it in one
- * direction, taken in pairs opposite to each other that are both good, so that a slope does not
- * count, nor does the edge of a gap; INFINITY where there is no pair. */
+/* Distance of a height from the median of its neighbors along one direction. Neighbors come in
+ * opposite pairs that are both good, so slopes and edges of gaps have no effect. INFINITY if there
+ * is no pair. */
 static double off_line(const aspi_raw *raw, size_t at, const long direction[2]) {
   double line[2 * REACH];
   size_t count = 0;
@@ -163,7 +163,7 @@ static asp_code find_spikes(aspi_raw *raw, const aspi_steps *steps, double times
 
 /* ---- gaps ---- */
 
-/* Bad points are filled where they are no more than half; spikes count as bad. */
+/* Bad points are filled if they are at most half of all; spikes count as bad. */
 static asp_code check_bad(const aspi_raw *raw, size_t spikes, size_t first, bool fill,
                           asp_error *error) {
   size_t bad = aspi_raw_count_bad(raw);
@@ -258,9 +258,7 @@ static asp_code check_lengths(const aspi_raw *raw, asp_error *error) {
   double most = largest(raw);
   for (int k = 0; k < 1 + raw->is_map; k++)
     if (!(raw->step[k] >= SPACING_LEAST && raw->step[k] <= LENGTH_MOST && most <= LENGTH_MOST))
-      return aspi_file_fail(raw->path, 0, error,
-                            "heights up to %g m at a spacing of %g m are no surface; is the "
-                            "unit right?",
+      return aspi_file_fail(raw->path, 0, error, "heights to %g m at %g m spacing: check the unit",
                             most, raw->step[k]);
   if (raw->columns >= ASP_SIDE_LEAST && raw->points <= ASP_POINTS_MOST &&
       (!raw->is_map || raw->rows >= ASP_SIDE_LEAST))
@@ -272,7 +270,7 @@ static asp_code check_lengths(const aspi_raw *raw, asp_error *error) {
                         ASP_POINTS_MOST);
 }
 
-/* Takes the form out, and again where spikes were in it. */
+/* Subtracts the form; again if spikes were found. */
 static asp_code level(aspi_raw *raw, const aspi_profile_options *options,
                       aspi_profile_report *report, asp_error *error) {
   bool mark = options->spikes > 0;

@@ -16,8 +16,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Positions are equally spaced when they are off a line by no more than rounding can be, and this
- * part of the spacing. */
+/* Positions are equally spaced if they are off a line by at most their rounding plus this part of
+ * the spacing. */
 #define UNEVEN_RMS 0.01
 #define UNEVEN_STEP 0.05
 
@@ -34,8 +34,8 @@
 #define OFF_GRID 0.2
 #define GRID_PART (1 / 32.)
 
-asp_code aspi_points_add(aspi_points *p, aspi_point point, asp_error *error) {
-  aspi_point *grown = aspi_grow(p->list, p->count, sizeof *grown);
+asp_code aspi_points_add(aspi_points *p, aspi_xyz point, asp_error *error) {
+  aspi_xyz *grown = aspi_grow(p->list, p->count, sizeof *grown);
   if (!grown)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for over %zu points", p->count);
   p->list = grown;
@@ -90,7 +90,7 @@ static double rounding(const aspi_points *p) {
 /* Makes x the distance from the first point, which grows or falls as the longer axis does. ratio:
  * of the units of y and x. */
 static asp_code measure_along(aspi_points *p, double ratio, const aspi_raw *raw, asp_error *error) {
-  aspi_point first = p->list[0], last = p->list[p->count - 1];
+  aspi_xyz first = p->list[0], last = p->list[p->count - 1];
   double dx = last.x - first.x, dy = ratio * (last.y - first.y), length = hypot(dx, dy), off = 0;
   double sign = (fabs(dy) > fabs(dx) ? dy : dx) < 0 ? -1 : 1;
   for (size_t i = 0; i < p->count && length > 0; i++) {
@@ -100,17 +100,16 @@ static asp_code measure_along(aspi_points *p, double ratio, const aspi_raw *raw,
   }
   if (off <= STRAIGHT)
     return ASP_OK;
-  return aspi_file_fail(
-      raw->path, 0, error,
-      "the points in X and Y scatter across a line by %.2g of its length: no "
-      "profile; a map is read as one, and --x-column takes one column alone for positions",
-      off);
+  return aspi_file_fail(raw->path, 0, error,
+                        "the X, Y points are not on a line (off by %.0f %% of its length); read "
+                        "them as a map, or name one column of positions with --x-column",
+                        100 * off);
 }
 
-/* Turns falling positions round, and checks that all of them grow; the least and the largest of
- * their steps. */
+/* Reverses falling positions, and checks that all increase; finds the least and the largest step.
+ */
 static asp_code put_in_order(aspi_points *p, double steps[2], aspi_raw *raw, asp_error *error) {
-  aspi_point *list = p->list;
+  aspi_xyz *list = p->list;
   size_t n = p->count, repeats = 0;
   double sign = n > 0 && list[n - 1].x < list[0].x ? -1 : 1;
   steps[0] = INFINITY;
@@ -136,7 +135,7 @@ static asp_code put_in_order(aspi_points *p, double steps[2], aspi_raw *raw, asp
   if (sign < 0)
     aspi_append(raw->text, sizeof raw->text, ", positions fall and are reversed");
   for (size_t i = 0, j = n - 1; sign < 0 && i < j; i++, j--) {
-    aspi_point other = list[i];
+    aspi_xyz other = list[i];
     list[i] = list[j];
     list[j] = other;
   }
@@ -160,11 +159,11 @@ static bool is_even(const aspi_points *p, const double steps[2], double q, doubl
          fmax(steps[1] - slope, slope - steps[0]) <= q + UNEVEN_STEP * slope;
 }
 
-/* Points at one position become one of their mean height. */
+/* Merges points at one position, with their mean height. */
 static void merge_repeats(aspi_points *p) {
   size_t kept = 0;
   for (size_t i = 0; i < p->count;) {
-    aspi_point point = p->list[i];
+    aspi_xyz point = p->list[i];
     double sum = 0, good = 0;
     for (; i < p->count && !(p->list[i].x > point.x); i++)
       if (!isnan(p->list[i].z)) {
@@ -181,7 +180,7 @@ static void merge_repeats(aspi_points *p) {
 static asp_code interpolate(const aspi_points *p, double spacing, aspi_raw *raw, asp_error *error) {
   asp_code code = aspi_raw_add(raw, p->list[0].z, error);
   for (size_t i = 1; i < p->count && !code; i++) {
-    const aspi_point *a = &p->list[i - 1], *b = &p->list[i];
+    const aspi_xyz *a = &p->list[i - 1], *b = &p->list[i];
     bool gap = b->x - a->x > GAP_STEPS * spacing;
     if (gap && !raw->bad_line)
       raw->bad_line = b->line;
@@ -242,7 +241,7 @@ typedef struct grid {
   size_t count;
 } grid;
 
-/* Sorted coordinates that are rounded from one become their mean; how many there are then. */
+/* Merges sorted coordinates that differ by rounding; returns how many are left. */
 static size_t merge_near(double *at, size_t count) {
   double near = GRID_PART * (at[count - 1] - at[0]) / sqrt((double)count);
   size_t kept = 0;
@@ -270,7 +269,7 @@ static bool find_grid(const aspi_points *p, bool along_y, double *room, grid *g)
   return true;
 }
 
-/* Room for the heights on the grid, which are all missing yet. */
+/* Allocates the grid; all heights are missing at first. */
 static asp_code make_room(size_t points, aspi_raw *raw, asp_error *error) {
   if ((double)raw->columns * (double)raw->rows > 4 * (double)points + 1e4)
     return aspi_file_fail(raw->path, 0, error,
@@ -301,7 +300,7 @@ asp_code aspi_points_grid(const aspi_points *p, const double unit[2], aspi_raw *
   raw->step[1] = g[1].step * unit[1];
   asp_code code = make_room(p->count, raw, error);
   for (size_t i = 0; i < p->count && !code; i++) {
-    const aspi_point *at = &p->list[i];
+    const aspi_xyz *at = &p->list[i];
     double u = (at->x - g[0].first) / g[0].step, v = (at->y - g[1].first) / g[1].step;
     double column = round(u), row = round(v);
     if (fabs(u - column) > OFF_GRID || fabs(v - row) > OFF_GRID)

@@ -7,26 +7,25 @@
 #include "readers/read.h"
 
 /* x and y in the file's units, the height in m. */
-typedef struct aspi_point {
+typedef struct aspi_xyz {
   double x, y, z;
   size_t line;
-} aspi_point;
+} aspi_xyz;
 
 typedef struct aspi_points {
-  aspi_point *list; /* for the caller to free */
+  aspi_xyz *list; /* for the caller to free */
   size_t count;
   int decimals, digits; /* the most that any position is written with */
 } aspi_points;
 
-asp_code aspi_points_add(aspi_points *points, aspi_point point, asp_error *error);
+asp_code aspi_points_add(aspi_points *points, aspi_xyz point, asp_error *error);
 
-/* Takes in how finely a position is written. */
+/* Notes how finely a position is written. */
 void aspi_points_precision(aspi_points *points, const char *written);
 
-/* Put the points at equal spacing on a line, or on their grid, into `raw`; unit: meters in one of x
- * and y. On a line in x and y (`in_plane`) a position is the distance from the first point. Heights
- * are those of the file where positions are equally spaced but for rounding, else between them.
- * ASP_EDATA where there is no line or grid. */
+/* Put the points into `raw` at equal spacing on a line, or on their grid. unit: meters per unit of
+ * x and y. On a line in x and y (`in_plane`) a position is the distance from the first point.
+ * Unequal spacing is interpolated. ASP_EDATA if the points are neither on a line nor on a grid. */
 asp_code aspi_points_line(aspi_points *points, const double unit[2], bool in_plane, aspi_raw *raw,
                           asp_error *error);
 asp_code aspi_points_grid(const aspi_points *points, const double unit[2], aspi_raw *raw,

@@ -34,8 +34,8 @@ typedef struct aspi_profile_options {
   aspi_filters filters;
 } aspi_profile_options;
 
-/* Units as stated, meters, a mean line taken out, gaps refused, unequal spacing resampled, first
- * row of a map, heights in the second column of a text file. */
+/* Defaults: units as stated, meters, mean line subtracted, gaps refused, unequal spacing resampled,
+ * first row of a map, heights in the second column of a text file. */
 aspi_profile_options aspi_profile_options_default(void);
 
 /* Findings and repairs of the reader. */
@@ -55,16 +55,16 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
                        const aspi_profile_options *options, aspi_profile_report *report,
                        asp_error *error);
 
-/* ASP_ERANGE and a message where a measured wall tells little about spheres of diameter d_p: where
- * they cover under 10 points, or it is under 20 correlation lengths lambda long; all lengths in one
- * unit. Of a map, the larger step, the shorter side and lambda_2. */
+/* ASP_ERANGE and a message if a measured wall resolves too little for spheres of diameter d_p:
+ * under 10 points per sphere, or a wall under 20 correlation lengths lambda long; all lengths in
+ * one unit. For a map use the larger step, the shorter side and lambda_2. */
 asp_code aspi_sampling_check(double d_p, double spacing, double length, double lambda,
                              asp_error *error);
 
 /* ---- inside the room ---- */
 
-/* Heights as a file has them, row by row; a profile is one row. NAN where a height is bad or
- * missing. Memory grows with what is read, so that a header's counts alone allocate nothing. */
+/* Heights of a file, row by row; a profile is one row. NAN: bad or missing. Memory grows as heights
+ * are read, so false counts in a header allocate nothing. */
 typedef struct aspi_raw {
   const char *path; /* for messages */
   double *z;        /* m */
@@ -82,7 +82,7 @@ asp_code aspi_raw_add(aspi_raw *raw, double height, asp_error *error);
 
 size_t aspi_raw_count_bad(const aspi_raw *raw);
 
-/* The least and the greatest good height; *least > *most where there is none. */
+/* The least and the greatest good height; *least > *most if there is none. */
 void aspi_raw_range(const aspi_raw *raw, double *least, double *most);
 
 /* Formats, detected by the first bytes; SDF is that of ISO 25178-71. Detection rewinds the text.
@@ -100,7 +100,7 @@ asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error
 typedef struct aspi_sdf {
   double points, profiles, x_scale, y_scale, z_scale, compression;
   int type;    /* of binary heights, by their number in SDF; -1 in ASCII */
-  double mark; /* the height, before z_scale, that is none; NAN: there is no such mark */
+  double mark; /* mark of a missing height, before z_scale; NAN: none */
 } aspi_sdf;
 
 /* The readers of a text at its beginning, columns, SDF or SUR, X3P, and of the heights of a grid.
@@ -114,12 +114,11 @@ asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, asp
 asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profile_options *options,
                         aspi_raw *raw, asp_error *error);
 
-/* Takes out the form, marks spikes, fills gaps or refuses them, filters, and writes what it did
- * into the report. */
+/* Subtracts the form, marks spikes, fills or refuses gaps, filters, and reports what it did. */
 asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
                    asp_error *error);
 
-/* Filters heights at equal spacing, in place. ASP_EARG where a length does not fit the profile. */
+/* Filters heights at equal spacing, in place. ASP_EARG if a length does not fit the profile. */
 asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,
                      asp_error *error);
 
@@ -138,7 +137,7 @@ typedef struct aspi_steps {
 
 aspi_steps aspi_steps_find(const aspi_raw *raw);
 
-/* The sentences, "" where there is no doubt; heights in m. `outliers`: points that lie
+/* Writes the warnings, "" if none; heights in m. `outliers`: points that lie
  * ASP_SPIKES_CLEAR off their neighbors. */
 void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, size_t size);
 
@@ -148,13 +147,13 @@ void aspi_warnings_write(const aspi_steps *steps, size_t outliers, char *text, s
 /* Starts as {.stated = NAN}, or with the height that the user declares as missing. */
 typedef struct aspi_missing {
   double stated;
-  size_t count; /* of heights that are none of the known marks; their range */
+  size_t count; /* heights other than known marks; their range */
   double least, most;
-  double mark;        /* the largest of the known marks */
-  size_t marks, line; /* how often it is there, and where first */
+  double mark; /* the largest of the known marks; 0: none */
+  size_t line; /* of it */
 } aspi_missing;
 
-/* Takes in one height, as the file has it, and returns it; NAN where it is the stated one. */
+/* Notes one height of the file and returns it; NAN if it is the stated mark. */
 double aspi_missing_note(aspi_missing *missing, double height, size_t line);
 
 /* ASP_EDATA if a known mark of missing heights is far outside the range of the others. */

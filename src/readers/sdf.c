@@ -188,7 +188,7 @@ static asp_code read_sur_header(aspi_text *text, aspi_sdf *h, asp_error *error) 
 
 /* ---- heights ---- */
 
-/* A height, before z_scale; NAN where it is marked as bad. */
+/* A height, before z_scale; NAN if it is marked as bad. */
 static asp_code read_height(aspi_text *text, const aspi_sdf *h, size_t index, double *height,
                             asp_error *error) {
   if (h->type >= 0) {

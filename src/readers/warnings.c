@@ -1,21 +1,22 @@
-/* Doubts about measured heights; see read.h: that they stand for missing ones, their steps and
- * ends, and how they are sampled, in points per particle and correlation lengths.
+/* Warnings about measured heights; see read.h: marks of missing heights, quantized or clipped
+ * heights, too few points per particle, too few correlation lengths.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
 #include "base/error.h"
 #include "base/tolerances.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-/* ---- heights that stand for missing ones ---- */
+/* ---- marks of missing heights ---- */
 
-/* Heights that instruments write where they have none. */
+/* Marks that instruments write for missing heights. */
 static const double known[] = {999,   999.9, 9999,  9999.9, 99999, 999999,
                                32767, 32768, 65535, 1e10,   1e30,  1e38};
 
-/* A mark is suspect where it lies this many times the range of all others outside of it. */
+/* A height this many ranges of all others away from them may be a mark. */
 #define OFF 10
 
 static bool is_known(double height) {
@@ -32,12 +33,9 @@ double aspi_missing_note(aspi_missing *m, double height, size_t line) {
     m->least = m->count ? fmin(m->least, height) : height;
     m->most = m->count ? fmax(m->most, height) : height;
     m->count++;
-  } else if (m->marks == 0 || fabs(height) > fabs(m->mark)) {
+  } else if (fabs(height) > fabs(m->mark)) {
     m->mark = height;
-    m->marks = 1;
     m->line = line;
-  } else {
-    m->marks += fabs(height - m->mark) <= 0;
   }
   return height;
 }
@@ -45,18 +43,17 @@ double aspi_missing_note(aspi_missing *m, double height, size_t line) {
 asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *error) {
   double range = m->most - m->least;
   bool off = m->mark < m->least - OFF * range || m->mark > m->most + OFF * range;
-  if (m->count == 0 || m->marks == 0 || !off)
+  if (m->count == 0 || !(fabs(m->mark) > 0) || !off)
     return ASP_OK;
-  return aspi_file_fail(
-      path, m->line, error,
-      "height %.10g, %zu times, beside heights of %g to %g: does it stand "
-      "for a missing one? Say so (asperity surface --missing %.10g), or mend the file",
-      m->mark, m->marks, m->least, m->most, m->mark);
+  return aspi_file_fail(path, m->line, error,
+                        "height %.10g beside heights of %g to %g: is it a mark for a missing "
+                        "height? If so: asperity surface --missing %.10g",
+                        m->mark, m->least, m->most, m->mark);
 }
 
 /* ---- steps and ends ---- */
 
-/* Heights have steps where they take no more values than this, each of them many times. */
+/* Heights are quantized if they have at most this many values, each many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 
 /* Heights are clipped if this share of all points is at one end of their range, and this many times
@@ -66,12 +63,10 @@ enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };
 #define CUT_NEXT 1e-2
 #define CUT_STEPS 3.5
 
-/* Below this many points per particle a measured wall resolves little, and also if it is shorter
- * than this many correlation lengths. */
+/* A measured wall with fewer points per particle resolves little. */
 #define POINTS_PER_PARTICLE 10.0
-#define LENGTH_LEAST 20.0
 
-/* Adds a height to those that are known already; false where there are too many. */
+/* Adds a new value to the levels; false if there are too many. */
 static bool add_level(double *level, size_t *count, double z) {
   for (size_t i = 0; i < *count; i++)
     if (!(level[i] < z) && !(level[i] > z))
@@ -127,7 +122,7 @@ aspi_steps aspi_steps_find(const aspi_raw *raw) {
 
 void aspi_warnings_write(const aspi_steps *s, size_t outliers, char *text, size_t size) {
   *text = '\0';
-  if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* the corners of what is cut off are none */
+  if (outliers > 0 && s->cut[0] + s->cut[1] == 0) /* corners of clipped parts are not dust */
     aspi_append(text, size,
                 "%zu of %zu points lie over %g robust standard deviations off their neighbors, as "
                 "dust does; take them out (asperity surface --spikes 12 --gaps fill --save FILE)",
@@ -151,11 +146,12 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
                 "a particle of d_p %g covers %.2g points of the measured wall; under %g the noise "
                 "and the rounding of heights pass for roughness",
                 d_p, d_p / spacing, POINTS_PER_PARTICLE);
-  if (!(length >= LENGTH_LEAST * lambda))
-    aspi_append(doubt, sizeof doubt,
-                "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
-                "carry a large sampling error; if it is bowed, take the bow out (asperity surface "
-                "--form 2 --save FILE)",
-                *doubt ? "; " : "", length / lambda, LENGTH_LEAST);
+  if (!(length >= ASPI_LENGTHS_LEAST * lambda))
+    aspi_append(
+        doubt, sizeof doubt,
+        "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
+        "carry a large sampling error; for a curved part, remove the form (asperity surface "
+        "--form 2 --save FILE)",
+        *doubt ? "; " : "", length / lambda, ASPI_LENGTHS_LEAST);
   return *doubt ? aspi_fail(error, ASP_ERANGE, "%s", doubt) : ASP_OK;
 }

@@ -15,9 +15,9 @@
 #include <unistd.h>
 #include <zip.h>
 
-/* What is known of a file. Heights in main.xml are copied to `heights` as text. */
+/* A file. Heights in main.xml are copied to `heights` as text. */
 typedef struct x3p {
-  char at[200], text[300]; /* the path of the element at hand, and its text */
+  char at[200], text[300]; /* the path of the current element, and its text */
   char data[200], valid[200], z_axis[8], z_type[8];
   aspi_sdf grid;
   double offset;

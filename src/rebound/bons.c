@@ -44,41 +44,37 @@ enum {
   N_PARAMETERS
 };
 
-static const asp_parameter parameters[N_PARAMETERS] = {
+static const aspi_keyword parameters[N_PARAMETERS] = {
     [YIELD_RATE] = {"yield_rate", "stress/speed", 0, 0, INFINITY,
                     "yield stress per impact speed, sigma_y = yield_rate |v1|; 0: the material's "
                     "constant yield stress (form: Whitaker & Bons 2018, secondary source; no value "
-                    "found)",
-                    "yield_rate", NULL},
+                    "found)"},
     [AREA_A] = {"a", "", 0.1, 0, 1e3,
                 "contact area share f = a + b min(1, v_n1/v_y)^c (recalled, original not seen)",
-                "contact_area", NULL},
-    [AREA_B] = {"b", "", 1.0 / 7, 0, 1e3, "see a (recalled, original not seen)", "contact_area",
-                NULL},
-    [AREA_C] = {"c", "", 0.5, 0, 10, "see a (recalled, original not seen)", "contact_area", NULL},
+                .word = "contact_area"},
+    [AREA_B] = {"b", "", 1.0 / 7, 0, 1e3, "see a (recalled, original not seen)",
+                .word = "contact_area"},
+    [AREA_C] = {"c", "", 0.5, 0, 10, "see a (recalled, original not seen)", .word = "contact_area"},
     [TEMPERATURE] = {"temperature", "K", 0, 0, 1e5,
                      "temperature of the particle; the modulus and the surface energy stay cold",
-                     "temperature", NULL},
+                     .needs = ASPI_IS_HOT},
     [SOFTEN_FROM] = {"soften_from", "K", 1000, 0, 1e5,
                      "temperature above which the yield stress falls (recalled, original not seen)",
-                     "soften", NULL},
+                     .word = "soften"},
     [SOFTEN_RATE] = {"soften_rate", "1/K", 0.225 / 200, 0, 1,
                      "share of the yield stress lost per kelvin above it (recalled, original not "
                      "seen)",
-                     "soften", NULL},
-    [SPIN] = {.name = "spin",
-              .unit = "",
-              .most = 1,
-              .text = "off: the particle's spin is left as it is, as in the source; on: friction "
-                      "acts on its surface and turns it (an extension of this project)",
-              .keyword = "spin",
-              .words = "off on"},
+                     .word = "soften"},
+    [SPIN] = {"spin", "", 0, 0, 1,
+              "off: the particle's spin is left as it is, as in the source; on: friction "
+              "acts on its surface and turns it (an extension of this project)",
+              .values = "off | on"},
 };
 
-/* m; the smallest diameter that it is for (an estimate of this project) */
+/* least diameter, m (an estimate of this project) */
 #define D_LEAST 0.5e-6
 
-/* The share of the yield stress that heat leaves. */
+/* Yield stress at this temperature over the cold one. */
 static double softened(const double *p, double own) {
   double temperature = own > 0 ? own : p[TEMPERATURE];
   if (!(temperature > p[SOFTEN_FROM]))
@@ -86,7 +82,7 @@ static double softened(const double *p, double own) {
   return fmax(0, fma(-p[SOFTEN_RATE], temperature - p[SOFTEN_FROM], 1));
 }
 
-/* If nothing is elastic (v_y = 0), v_n1/v_y counts as 1 and nothing returns. */
+/* With v_y = 0 nothing is elastic: v_n1/v_y is taken as 1 and nothing returns. */
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   double n1 = hit->v_n1, t1 = hit->v_t1, speed = sqrt(n1 * n1 + t1 * t1), density = hit->density;

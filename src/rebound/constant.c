@@ -6,10 +6,10 @@
 
 enum { COR_N, COR_T, N_PARAMETERS };
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [COR_N] = {"cor_n", "", 1, 0, 1, "normal coefficient of restitution of the face", NULL, NULL},
-    [COR_T] = {"cor_t", "", 1, 0, 1, "tangential coefficient of restitution of the face", NULL,
-               NULL},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [COR_N] = {"cor_n", "", 1, 0, 1, "normal coefficient of restitution of the face", .word = ""},
+    [COR_T] = {"cor_t", "", 1, 0, 1, "tangential coefficient of restitution of the face",
+               .word = ""},
 };
 
 static aspi_bounce rebound(const double *p, const aspi_hit *hit) {

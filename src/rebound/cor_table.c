@@ -21,7 +21,7 @@
  */
 #define APART_LEAST 1e-9
 
-/* Rounding in a file's coefficients may seem to make this much energy. */
+/* Energy that rounding of a file's coefficients may seem to create. */
 #define ENERGY_MOST (1 + 1e-6)
 
 struct aspi_cor_table {
@@ -212,7 +212,7 @@ aspi_cor_table *aspi_cor_table_read(const char *path, double meter_per_second, a
   return table;
 }
 
-/* The last speed that is not above, and the part of the way to the next. */
+/* Index of the last speed at or below this one, and the fraction of the step to the next. */
 static size_t find_speed(const aspi_cor_table *t, double speed, double *part) {
   *part = 0;
   if (!(speed > t->speeds[0]))

@@ -18,11 +18,10 @@
 
 enum { SCATTER, N_PARAMETERS };
 
-static const asp_parameter parameters[N_PARAMETERS] = {
+static const aspi_keyword parameters[N_PARAMETERS] = {
     [SCATTER] = {"scatter", "", 0, 0, 1,
                  "share of the measured standard deviation that is drawn: 0 the means, 1 all of it "
-                 "(polynomials from one secondary source; log-normal law assumed)",
-                 "scatter", NULL},
+                 "(polynomials from one secondary source; log-normal law assumed)"},
 };
 
 static double mean_n(double b) {

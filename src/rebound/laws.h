@@ -1,10 +1,11 @@
-/* The list of the rebound laws, and what they share. A new law is one file that defines its record,
- * and one line here.
+/* The list of the rebound laws, and their record. To add a law, write one file with its record and
+ * add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_REBOUND_LAWS_H
 #define ASP_REBOUND_LAWS_H
 
+#include "base/keyword.h"
 #include "base/stream.h"
 #include "rebound/cor_table.h"
 #include "rebound/materials.h"
@@ -13,20 +14,11 @@
 
 enum { ASP_PARAMETERS_MAX = 8 };
 
-/* Script word that introduces a parameter; "" if it follows the law's name. */
-static inline const char *aspi_parameter_keyword(const asp_parameter *parameter) {
-  return parameter->keyword ? parameter->keyword : "";
-}
-
-/* The value of one of a parameter's words. */
-asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
-                             asp_error *error);
-
 /* One hit in the frame of the local face. */
 typedef struct aspi_hit {
   double v_n1; /* approach speed along the face's normal, > 0 */
   double v_t1; /* speed along the face, >= 0 */
-  double u_t1; /* that of the particle's surface where it is touched: v_t1 without spin */
+  double u_t1; /* speed of the particle's surface at the contact; v_t1 without spin */
   double d_p;
   double density;
   const asp_pair *pair;        /* may be NULL for laws that need no material */
@@ -53,8 +45,8 @@ static inline double aspi_bounce_friction(const aspi_hit *hit, double v_n2, doub
   return normal > 1e-9 * along ? along / normal : 1e9;
 }
 
-/* The impulse per mass at which the surface of a solid sphere stops, as a share of its speed: along
- * the face it moves as if it had 2/7 of its mass. */
+/* Impulse per mass that stops the surface of a solid sphere, over the surface's speed: along the
+ * face the contact point moves as if the sphere had 2/7 of its mass. */
 #define ASPI_ROLLING (2.0 / 7)
 
 /* The largest diameter for adhesion of smooth spheres, in m. Larger grains touch the wall on a few
@@ -67,19 +59,19 @@ struct asp_rebound_law {
   const char *source;
   bool needs_pair;        /* whether aspi_hit.pair must be given */
   bool needs_table;       /* whether aspi_hit.table must be given */
-  bool measured;          /* its coefficients were measured on a wall: they include its roughness */
-  double d_least, d_most; /* the diameters that its adhesion is for, in m; 0: it has none */
+  bool measured;          /* coefficients measured on a wall, so they include its roughness */
+  double d_least, d_most; /* range of diameters for its adhesion, m; 0: no adhesion */
   int n_parameters;
-  const asp_parameter *parameters;
+  const aspi_keyword *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
-  /* The share of the yield stress that the temperature of the parameters leaves; NULL: all of it.
+  /* Yield stress at the parameters' temperature over the cold one; NULL: 1.
    */
   double (*softening)(const double *parameters);
-  /* True if it draws a scatter of its own with these parameters; NULL: never. */
+  /* True if the law draws scatter itself with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
-  /* True if its contact gives way along the face with these parameters, which is not worked out for
-   * bodies; NULL: never. */
-  bool (*gives_way)(const double *parameters);
+  /* True if the contact is compliant along the face with these parameters, which is not implemented
+   * for bodies; NULL: never. */
+  bool (*is_compliant)(const double *parameters);
   /* True if it turns the particle with these parameters; NULL: never. */
   bool (*spins)(const double *parameters);
 };
@@ -87,7 +79,7 @@ struct asp_rebound_law {
 /* Index of the law's parameter of that name; -1: it has none. */
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name);
 
-/* ASP_EARG and a message where the law has no meaning for bodies with these parameters. */
+/* ASP_EARG and a message if the law has no meaning for bodies with these parameters. */
 asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,
                                    asp_error *error);
 
@@ -99,8 +91,8 @@ asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *par
 ASP_REBOUND_LAWS(ASP_REBOUND_DECLARE)
 #undef ASP_REBOUND_DECLARE
 
-/* A rebound that would be faster than the hit is slowed down to its speed, direction kept: measured
- * coefficients may allow it at some angles, energy does not. */
+/* Limits the rebound to the speed of the hit and keeps its direction: measured coefficients may
+ * create energy at some angles. */
 static inline aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, double cor_t) {
   double n1 = hit->v_n1, t1 = hit->v_t1, n2 = cor_n * n1, t2 = cor_t * t1;
   double before = n1 * n1 + t1 * t1, after = n2 * n2 + t2 * t2;

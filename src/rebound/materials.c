@@ -1,7 +1,6 @@
-/* Material presets, and materials of a user's own. The presets are for room temperature. Their
- * values are handbook values and those of open tables, not those of the papers on rebound (which
- * state few); of none were all four numbers checked against the source named. All of them are
- * defaults that a user can replace.
+/* Material presets, and a user's own materials. The presets are for room temperature, from
+ * handbooks and open tables, not from the papers on rebound (which state few). No preset has all
+ * four numbers checked against the source named. A user can replace all of them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rebound/materials.h"
@@ -78,7 +77,7 @@ void asp_material_free(asp_material *material) {
   free(material);
 }
 
-/* The number of that name; NULL where there is none. */
+/* The number of that name; NULL if there is none. */
 static double *number_of(asp_material *material, const char *name) {
   return strcmp(name, "youngs_modulus") == 0   ? &material->youngs_modulus
          : strcmp(name, "poissons_ratio") == 0 ? &material->poissons_ratio

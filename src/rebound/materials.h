@@ -13,7 +13,7 @@ struct asp_material {
   double youngs_modulus; /* Pa */
   double poissons_ratio;
   double density;      /* kg/m^3 */
-  double yield_stress; /* Pa; 0 where no value is given: it counts for the particle only */
+  double yield_stress; /* Pa; 0: unknown; used for the particle only */
   const char *source;
 };
 
@@ -24,7 +24,7 @@ struct asp_pair {
   double surface_energy; /* gamma, energy per area, >= 0; 0 switches adhesion off */
   double friction;       /* mu, >= 0 */
   double wall_density;
-  double harder; /* of one grain: its yield stress over the material's, less 1 */
+  double harder; /* one grain's yield stress over the material's, minus 1 */
 };
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:
@@ -35,9 +35,8 @@ typedef struct aspi_materials aspi_materials;
 aspi_materials *aspi_materials_read(const char *path, asp_error *error);
 void aspi_materials_free(aspi_materials *materials);
 
-/* The material of that name, in upper or lower case: of your own (NULL: none), which go before
- * presets of the same name, or of the presets. NULL and a message that lists the names where there
- * is none, or one that says that your own file has it twice. */
+/* Finds a material by name, in upper or lower case: first among your own (NULL: none), then among
+ * the presets. NULL and a message if there is none, or if your own file has the name twice. */
 const asp_material *aspi_materials_find(const aspi_materials *own, const char *name,
                                         asp_error *error);
 

@@ -33,7 +33,7 @@ asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall
     return NULL;
   double modulus = 1 / (compliance(particle) + compliance(wall));
   if (!(modulus > 0 && isfinite(modulus))) {
-    aspi_fail(error, ASP_EARG, "Young's moduli are %g and %g; their composite is no number",
+    aspi_fail(error, ASP_EARG, "Young's moduli %g and %g give no finite composite modulus",
               particle->youngs_modulus, wall->youngs_modulus);
     return NULL;
   }
@@ -50,7 +50,7 @@ void asp_pair_free(asp_pair *pair) {
   free(pair);
 }
 
-/* The number of that name; NULL where there is none. */
+/* The number of that name; NULL if there is none. */
 static double *number_of(asp_pair *pair, const char *name) {
   return strcmp(name, "modulus") == 0          ? &pair->modulus
          : strcmp(name, "yield_stress") == 0   ? &pair->yield_stress

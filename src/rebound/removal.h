@@ -7,27 +7,27 @@
 #include "asperity_internal.h"
 #include "rebound/materials.h"
 
-/* A flow along a wall; density 0: there is none. */
+/* A flow along a wall; density 0: no flow. */
 typedef struct aspi_flow {
-  double u_tau;            /* friction velocity; 0: that of the particle counts alone */
+  double u_tau;            /* friction velocity; 0: use the particle's */
   double density;          /* of the gas */
   double viscosity;        /* of the gas, kinematic */
-  double adhesion, spread; /* median and geometric sd of the share of smooth contact; median 0:
-                              both by the size, and all of it at the arrival */
+  double adhesion, spread; /* median and geometric sd of the share of a smooth contact's adhesion;
+                              median 0: both by the size, and full adhesion at the arrival */
   double micron;           /* in the units of the lengths */
 } aspi_flow;
 
-/* The median of the share of smooth contact for a diameter; 0: nothing holds. */
+/* Median share of a smooth contact's adhesion for a diameter; 0: nothing holds. */
 double aspi_flow_adhesion(const aspi_flow *flow, double d_p);
 
-/* The grain's own share of smooth contact, by its key. */
+/* The grain's own share of a smooth contact's adhesion, from its key. */
 double aspi_flow_share(const aspi_flow *flow, double d_p, const asp_key *key);
 
-/* The rate at which the flow takes away a deposit that has this share; 0: there is no flow, or
- * nothing is known of the adhesion. */
+/* The rate at which the flow removes a deposit with this share of adhesion; 0: no flow, or unknown
+ * adhesion. */
 double aspi_flow_rate(const aspi_flow *flow, const asp_particle *particle, double share);
 
-/* The rate at which it takes a deposit away, and when the deposit goes: see asp_wall_removal. */
+/* Rate of removal, and when the deposit goes: see asp_wall_removal. */
 asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
                               const asp_key *key);
 

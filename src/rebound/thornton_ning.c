@@ -35,16 +35,11 @@ enum { PRESSURE, N_PARAMETERS };
 #define JUMP (-0.3)
 #define SNAP 0.031498026247371828 /* 0.2/4^(4/3) */
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [PRESSURE] = {.name = "pressure_ratio",
-                  .unit = "",
-                  .fallback = 1.6,
-                  .least = 0.1,
-                  .most = 10,
-                  .text = "contact pressure at yield over the yield stress, p_y/sigma_y (1.6 where "
-                          "a Hertz contact first yields, up to 2.8 when it is fully plastic: "
-                          "Johnson 1985, recalled)",
-                  .keyword = "pressure_ratio"},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [PRESSURE] = {"pressure_ratio", "", 1.6, 0.1, 10,
+                  "contact pressure at yield over the yield stress, p_y/sigma_y (1.6 where "
+                  "a Hertz contact first yields, up to 2.8 when it is fully plastic: "
+                  "Johnson 1985, recalled)"},
 };
 
 /* The integral of P dx of a contact with the radius of curvature dent. */
@@ -62,7 +57,8 @@ static double plastic_work(double adhesion, double give, double u, double *slope
   return u * (u3 * (eighth * u3 * u + fifth * u + fourth) + square * u + first);
 }
 
-/* Where the loading has done that work: Newton's steps from above, on a convex curve. */
+/* The radius at which the loading has done that work: Newton's method from above, on a convex
+ * curve. */
 static double stops_at(double adhesion, double give, double from, double work) {
   double u = 2 * from, last, slope;
   while (plastic_work(adhesion, give, u, &slope) < work)

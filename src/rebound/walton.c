@@ -28,31 +28,17 @@ enum { E, MU, BETA0, COMPLIANCE, N_PARAMETERS };
 enum { STEPS = 200 };
 #define DURATION 3.218
 
-static const asp_parameter parameters[N_PARAMETERS] = {
-    [E] = {.name = "e",
-           .unit = "",
-           .fallback = 0.9,
-           .most = 1,
-           .text = "normal coefficient of restitution of the face"},
-    [MU] = {.name = "mu",
-            .unit = "",
-            .fallback = ASP_FRICTION,
-            .most = 1e3,
-            .text = "coefficient of friction, Coulomb's"},
-    [BETA0] = {.name = "beta0",
-               .unit = "",
-               .fallback = 0,
-               .most = 1,
-               .text = "rotational restitution of a contact that sticks: its surface leaves with "
-                       "-beta0 times its speed; 0: it rolls"},
-    [COMPLIANCE] = {.name = "compliance",
-                    .unit = "",
-                    .fallback = 0,
-                    .most = 10,
-                    .text = "tangential over normal stiffness of the contact, which then counts in "
-                            "place of beta0; 0: rigid (2(1-nu)/(2-nu) for like solids, Mindlin "
-                            "1949, recalled; 0.70 fits Kharaz et al. 2001)",
-                    .keyword = "compliance"},
+static const aspi_keyword parameters[N_PARAMETERS] = {
+    [E] = {"e", "", 0.9, 0, 1, "normal coefficient of restitution of the face", .word = ""},
+    [MU] = {"mu", "", ASP_FRICTION, 0, 1e3, "coefficient of friction, Coulomb's", .word = ""},
+    [BETA0] = {"beta0", "", 0, 0, 1,
+               "rotational restitution of a contact that sticks: its surface leaves with "
+               "-beta0 times its speed; 0: it rolls",
+               .word = ""},
+    [COMPLIANCE] = {"compliance", "", 0, 0, 10,
+                    "tangential over normal stiffness of the contact, which then counts in "
+                    "place of beta0; 0: rigid (2(1-nu)/(2-nu) for like solids, Mindlin "
+                    "1949, recalled; 0.70 fits Kharaz et al. 2001)"},
 };
 
 /* The impulse along the face per mass and v_n1, of a contact that gives way there, at the speed u
@@ -87,7 +73,7 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   return (aspi_bounce){p[E] * n1, 0, fmax(0, rub), p[MU]};
 }
 
-static bool gives_way(const double *p) {
+static bool is_compliant(const double *p) {
   return p[BETA0] > 0 || p[COMPLIANCE] > 0;
 }
 
@@ -104,5 +90,5 @@ const asp_rebound_law aspi_rebound_walton = {
     .parameters = parameters,
     .rebound = rebound,
     .spins = spins,
-    .gives_way = gives_way,
+    .is_compliant = is_compliant,
 };

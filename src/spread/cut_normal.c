@@ -11,7 +11,7 @@ static double tail(double x) {
   return aspi_gauss_below(-x);
 }
 
-/* The x with Phi(x) = p = 1 - q; both are given, so that neither tail loses digits. */
+/* The x with Phi(x) = p = 1 - q. Takes both p and q, so that neither tail loses digits. */
 static double normal_quantile(double p, double q) {
   return p < q ? gsl_cdf_ugaussian_Pinv(p) : gsl_cdf_ugaussian_Qinv(q);
 }
@@ -38,6 +38,6 @@ double aspi_cut_normal_distribution(double sigma, double lo, double hi, double d
 
 double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u) {
   double below = tail(-lo / sigma), above = tail(hi / sigma), rest = 1 - u;
-  double moved = rest * below - u * above; /* from u to the share of the uncut distribution */
+  double moved = rest * below - u * above; /* maps u to the share of the uncut distribution */
   return fmin(fmax(sigma * normal_quantile(u + moved, rest - moved), lo), hi);
 }

@@ -5,8 +5,8 @@
  *
  * In x = delta/sigma, the integral of phi(t) sin(alpha1 + sigma t) over a tail is a series in the
  * tail's moments, fast and without cancellation for every sigma. For a particle that flies up
- * (alpha1 < 0) all of it is far tail: there, as close to the end of the support, a quadrature with
- * scaled weights is used.
+ * (alpha1 < 0) the whole support is far tail. There, and close to the end of the support, a
+ * quadrature with scaled weights is used.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/gauss.h"
@@ -20,7 +20,7 @@ enum { TERMS = 60 };
 /* The normal density underflows from here on. */
 #define FAR 38.6
 
-/* This close to the end of the support, in its own length, the difference of tails loses digits. */
+/* Closer than this share of the support to its end, the difference of tails loses digits. */
 #define NEAR_END 0.05
 
 typedef struct variate {
@@ -78,7 +78,7 @@ static double quadrature(const variate *w, double from, double to) {
   return result;
 }
 
-static variate variate_at(const aspi_view *view) {
+static variate variate_at(const aspi_spread_input *view) {
   double sigma = view->sigma, lo = -view->alpha1 / sigma, hi = ASP_DELTA_MOST / sigma;
   variate w = {view->alpha1, sigma, lo, hi, 0};
   if (view->alpha1 < 0) {
@@ -90,11 +90,11 @@ static variate variate_at(const aspi_view *view) {
   return w;
 }
 
-static aspi_point at(const void *of, double x, bool upper) {
+static aspi_node at(const void *of, double x, bool upper) {
   const variate *w = of;
   double y = x - w->lo, angle = w->sigma * y, sine = sin(angle), turn = w->sigma / sine,
          cosine = cos(angle);
-  aspi_point p = {
+  aspi_node p = {
       .log_rise = {turn * cosine - x, -1 - turn * turn, 2 * turn * turn * turn * cosine}};
   if (w->alpha < 0) {
     p.share = upper ? quadrature(w, x, w->hi) : quadrature(w, w->lo, x);
@@ -113,13 +113,13 @@ static aspi_point at(const void *of, double x, bool upper) {
   return p;
 }
 
-double aspi_effective_density(const aspi_view *view, double delta) {
+double aspi_effective_density(const aspi_spread_input *view, double delta) {
   variate w = variate_at(view);
   double x = delta / w.sigma;
   return x > w.lo && x < w.hi ? at(&w, x, false).density / w.sigma : 0;
 }
 
-double aspi_effective_distribution(const aspi_view *view, double delta) {
+double aspi_effective_distribution(const aspi_spread_input *view, double delta) {
   variate w = variate_at(view);
   double x = delta / w.sigma;
   if (!(x > w.lo))
@@ -128,7 +128,7 @@ double aspi_effective_distribution(const aspi_view *view, double delta) {
 }
 
 /* Starts from the quantile of `visible`, which is the limit for small sigma. */
-double aspi_effective_quantile(const aspi_view *view, double u) {
+double aspi_effective_quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   variate w = variate_at(view);
@@ -141,7 +141,7 @@ const asp_spread_model aspi_spread_effective = {
     .name = "effective",
     .summary = "normal distribution, weighted by the width that a face shows to the particle",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
-    .upward = true,
+    .covers_rising = true,
     .density = aspi_effective_density,
     .distribution = aspi_effective_distribution,
     .quantile = aspi_effective_quantile,

@@ -49,7 +49,7 @@ static int phi_below(double phi_r, double *part) {
   return i;
 }
 
-static variate variate_at(const aspi_view *view) {
+static variate variate_at(const aspi_spread_input *view) {
   variate w = {.a = fmin(tan(view->alpha1) / view->slope, A_MOST)};
   double at_a = (ASP_ENSEMBLE_AS - 1) * (w.a / (1 + w.a));
   double at_kappa = fmin(2 * log2(1 + 8 * view->kappa), ASP_ENSEMBLE_KAPPAS - 1);
@@ -100,7 +100,7 @@ static double slope_at(const variate *w, double z, double *rise) {
   return cubic(y, at - i, rise);
 }
 
-static double quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   if (view->alpha1 < 0)
     return aspi_spread_visible.quantile(view, u);
   if (view->sigma < ASP_SIGMA_ZERO)
@@ -120,7 +120,7 @@ static double z_of(const variate *w, double x) {
   return 0.5 * (low + high);
 }
 
-static double distribution(const aspi_view *view, double delta) {
+static double distribution(const aspi_spread_input *view, double delta) {
   if (view->alpha1 < 0)
     return aspi_spread_visible.distribution(view, delta);
   if (delta <= -view->alpha1 || delta <= -ASP_DELTA_MOST)
@@ -131,7 +131,7 @@ static double distribution(const aspi_view *view, double delta) {
   return aspi_gauss_below(z_of(&w, tan(delta) / view->slope));
 }
 
-static double density(const aspi_view *view, double delta) {
+static double density(const aspi_spread_input *view, double delta) {
   if (view->alpha1 < 0)
     return aspi_spread_visible.density(view, delta);
   if (delta <= -view->alpha1 || fabs(delta) >= ASP_DELTA_MOST)
@@ -147,7 +147,7 @@ const asp_spread_model aspi_spread_profile = {
     .summary = "first hits from a table of generated Gaussian walls",
     .source = "geometry, derived for this project",
     .geometry = true,
-    .upward = true,
+    .covers_rising = true,
     .density = density,
     .distribution = distribution,
     .quantile = quantile,

@@ -1,9 +1,9 @@
 /* Flights over a dilated wall: the center of the particle flies straight. A flight skips blocks of
  * cells whose maximum lies below it, in growing steps while nothing is in reach.
  *
- * A map that does not repeat ends at its edges. A flight that leaves there goes on at the other
- * edge, shifted along it to a place that lies below the flight: statistics and lay of the wall stay
- * as they are, which a mirror image would turn.
+ * A map that does not repeat ends at its edges. A flight that leaves there continues at the
+ * opposite edge, shifted along it to a place below the flight. This keeps statistics and lay, which
+ * a mirror image would turn.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/flight.h"
@@ -22,11 +22,11 @@ enum { BLOCKS_MOST = 100000 };
  * a particle slightly into its neighbor. After 2 cells below the surface it counts as a hit. */
 enum { UNDER_MOST = 2 };
 
-/* Slower flights along an axis stay where they are. */
+/* A flight slower than this along an axis does not move along it. */
 #define SLOWEST 1e-200
 
-/* Places along an edge that are tried one after the other; multiples of the golden section modulo 1
- * spread evenly. */
+/* Places along an edge are tried in turn: multiples of the golden section modulo 1, which spread
+ * evenly. */
 enum { SHIFTS_MOST = 64 };
 #define GOLDEN 0.6180339887498949
 
@@ -127,7 +127,7 @@ static void fill_tops(aspi_field *f) {
     }
 }
 
-/* Fills in what follows from the heights. */
+/* Fills in the members that follow from the heights. */
 static void finish(aspi_field *f) {
   double mean = 0, square = 0, n = (double)(f->columns * f->rows);
   const aspi_tops *last = &f->level[f->levels - 1];
@@ -342,10 +342,10 @@ typedef struct walk {
   int axis;             /* along which the flight leaves the block */
   ptrdiff_t end[2][2];  /* first and behind the last cell of the block */
   double last;          /* the time when it leaves */
-  double most;          /* a time when it has left the wall, or is below it */
+  double most;          /* upper bound of the time of flight */
 } walk;
 
-/* Looks for the end of the block around the cell. */
+/* Finds the end of the block around the cell. */
 static void find_end(const aspi_field *f, walk *w) {
   int shift = 2 * w->level;
   double out[2];
@@ -360,7 +360,7 @@ static void find_end(const aspi_field *f, walk *w) {
   w->last = last > w->t ? last : w->t;
 }
 
-/* Enters the next block; a larger one if it is in another block of the next level. */
+/* Move to the next block; go up one level when crossing a block of that level. */
 static void leave(const aspi_field *f, walk *w) {
   int a = w->axis, b = !a;
   int larger = 2 * w->level + 2;
@@ -386,8 +386,8 @@ static void land(const aspi_field *f, const walk *w, const cell *c, double t, co
   gradient_at(f, c, u, v, way, gradient);
 }
 
-/* True if the flight hits the surface of its cell, or has gone under it, also where it flies down
- * so steeply into the face that it starts from that it never leaves it. clear: it has been over
+/* True if the flight hits the surface of its cell or has gone under it. This includes flights that
+ * enter the face they start from. clear: it has been over
  * the surface since it started; under: cells that it has left below the surface until then. */
 static bool hits(const aspi_field *f, const walk *w, const double way[3], bool *clear, int *under,
                  aspi_spot *spot, double gradient[2]) {

@@ -6,8 +6,8 @@
 
 #include "asperity_internal.h"
 
-/* Maxima over blocks of cells, so that a flight need not look at each cell: level k has one for
- * each block of 4^k x 4^k cells. Those of a tile of 4 x 4 blocks stand together. */
+/* Maxima over blocks of cells, so that a flight can skip cells: level k has one maximum per block
+ * of 4^k x 4^k cells. A tile of 4 x 4 blocks is contiguous in memory. */
 typedef struct aspi_tops {
   ptrdiff_t across, tiles; /* number of tiles along x, and of all */
   float *most;
@@ -22,8 +22,8 @@ typedef struct aspi_field {
   int axes;                          /* 1 for one row, else 2 */
   double step[2];
   bool wraps;       /* repeats beyond its edges */
-  ptrdiff_t stride; /* numbers of a point: 1, or 3 with the gradient of the contact there */
-  float *z;         /* of all points, row after row, from one of them; then the maxima */
+  ptrdiff_t stride; /* numbers per point: 1, or 3 with the gradient of the contact */
+  float *z;         /* numbers of all points, row after row; then the maxima */
   ptrdiff_t tile;   /* blocks in a tile: 16, or 4 of one row */
   int levels;
   aspi_tops level[ASPI_TOPS_MOST];
@@ -56,10 +56,10 @@ void aspi_field_free(aspi_field *field);
 /* Multiplies the heights of a row. */
 void aspi_field_scale(aspi_field *row, double factor);
 
-/* Of a row: the slope of the face behind point i; the slope tan(alpha1) at which a beam falls, at
- * least that with which it meets more than a handful of peaks; and the share of such a beam that
- * first hits each face, into weight[columns], sum 1: the rise of the running maximum of
- * z + x fall over the face, in the second of two periods. */
+/* For a row: the slope of the face behind point i; the slope tan(alpha1) at which a beam falls, at
+ * least aspi_fall_least; and the share of the beam that first hits each face, into weight[columns],
+ * sum 1: the rise of the running maximum of z + x fall over the face, in the second of two periods.
+ */
 double aspi_field_slope(const aspi_field *field, size_t i);
 double aspi_field_fall(const aspi_field *field, double alpha1);
 void aspi_field_first_hits(const aspi_field *field, double fall, double *weight);

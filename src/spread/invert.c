@@ -1,5 +1,5 @@
-/* Quantiles by Newton's method; see invert.h. Where the support ends above, the logarithm
- * overshoots, and the step is in the tail itself.
+/* Quantiles by Newton's method; see invert.h. If the support ends above, Newton's method on the
+ * logarithm overshoots, so it works on the tail.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/invert.h"
@@ -8,17 +8,17 @@
 
 enum { STEPS = 24 };
 
-/* Smaller shares are taken for this one: the derivatives of their density would overflow. */
+/* Least u; below it the derivatives of the density would overflow. */
 #define LEAST 1e-150
 
-/* Steps below these, in lengths over which the density changes, are of fifth order: the error goes
- * with the fifth power of the step; it is below rounding after the second. */
+/* Below the first, in lengths over which the density changes, a step is of fifth order: the error
+ * is the step to the fifth power. Below the second the error is rounding. */
 #define NEAR 0.05
 #define SMALL 6e-4
 
-/* Newton's step from x in the logarithm of the lower tail, of which the root has `share`. Infinite
- * where the tail or the density has run out: no quotient overflows. */
-static double log_step(const aspi_point *p, double share) {
+/* Newton's step from x in the logarithm of the lower tail, which is `share` at the root. Infinite
+ * if the tail or the density underflows: no quotient overflows. */
+static double log_step(const aspi_node *p, double share) {
   if (!(p->share > 1e-300 * share && p->density > LEAST * p->share))
     return INFINITY;
   return p->share / p->density * log(share / p->share);
@@ -32,7 +32,7 @@ static double series(double h, const double g[3]) {
   return h * (1 - h * (0.5 * g[0] - h * (third - h * fourth)));
 }
 
-double aspi_invert(aspi_point (*at)(const void *parameters, double x, bool upper),
+double aspi_invert(aspi_node (*at)(const void *parameters, double x, bool upper),
                    const void *parameters, double lo, double hi, double guess, double u) {
   bool upper = u >= 0.5;
   double share = upper ? 1 - u : fmax(u, LEAST), sign = upper ? -1 : 1;
@@ -40,7 +40,7 @@ double aspi_invert(aspi_point (*at)(const void *parameters, double x, bool upper
   if (!(x > lo))
     return lo;
   for (int i = 0; i < STEPS; i++) {
-    aspi_point p = at(parameters, x, upper);
+    aspi_node p = at(parameters, x, upper);
     double missing = sign * (share - p.share);
     double h = p.density > LEAST * fabs(missing) ? missing / p.density : INFINITY;
     double length = fabs(h) * (fabs(p.log_rise[0]) + sqrt(-p.log_rise[1]));

@@ -11,14 +11,14 @@
 
 /* A distribution at one point: the share below (or above) it, the density, and the first three
  * derivatives of the density's logarithm. */
-typedef struct aspi_point {
+typedef struct aspi_node {
   double share, density, log_rise[3];
-} aspi_point;
+} aspi_node;
 
 /* The x in [lo, hi] with a share u below it, 0 < u < 1; `at` is the distribution, with the share
  * above x if `upper`, and `parameters` its first argument. Returns lo if the guess is not above lo.
  */
-double aspi_invert(aspi_point (*at)(const void *parameters, double x, bool upper),
+double aspi_invert(aspi_node (*at)(const void *parameters, double x, bool upper),
                    const void *parameters, double lo, double hi, double guess, double u);
 
 #endif

@@ -1,5 +1,5 @@
-/* The record of a spread model, and the list of models. A new model is one file that defines its
- * record, and one line here.
+/* The record of a spread model, and the list of models. To add a model, write one file with its
+ * record and add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_MODELS_H
@@ -12,26 +12,26 @@
 enum { ASP_HITS_MAX = 64 }; /* draws or hits in one contact before it is called capped */
 
 /* The input of a spread model: one particle that approaches one wall. */
-typedef struct aspi_view {
+typedef struct aspi_spread_input {
   double slope;  /* s_eff, the rms slope that a particle of this size meets */
   double sigma;  /* atan(s_eff), the one number that describes the wall to the paper's models */
   double alpha1; /* impact angle, 0 <= alpha1 <= pi/2; negative, down to -pi/2, for a particle that
-                    flies up after an earlier hit (models with `upward` only) */
+                    flies up after an earlier hit (models with `covers_rising` only) */
   double d_p;    /* diameter, in the surface's unit; for models of a measured wall */
   const void *data; /* made by the model when the wall was prepared, or NULL */
   double kappa;     /* of the particle along its flight; for models with geometry */
-  double phi_r;     /* r_q/lambda_c along the flight, for those too */
+  double phi_r;     /* r_q/lambda_c along the flight; for models with geometry */
   bool has_azimuth; /* the wall has a lay, and `azimuth` (rad) is the angle from the axis across it
                        to the flight, counted toward the lay's other side: from n x lay */
   double azimuth;
-} aspi_view;
+} aspi_spread_input;
 
 /* The state of a particle that a model follows over the heights of a wall; all 0 before the first
  * face. */
 typedef struct aspi_path {
   bool begun;
   bool back;      /* flies toward smaller x of a profile */
-  double turn;    /* from the flight before to this one, from t toward b */
+  double turn;    /* angle from the previous flight to this one, from t toward b */
   int field;      /* index of a field of the model */
   double azimuth; /* over a map, from x toward y */
   aspi_spot spot;
@@ -39,15 +39,15 @@ typedef struct aspi_path {
                   by the model */
 } aspi_path;
 
-/* A wall with geometry; without heights that of a generated Gaussian profile. */
-typedef struct aspi_relief {
+/* The heights of a wall, or (heights NULL) its Gaussian statistics. */
+typedef struct aspi_height_field {
   const asp_surface *surface;
   const asp_heights *heights;
-  bool in_space; /* a profile stands for a wall that is alike in all directions */
-} aspi_relief;
+  bool in_space; /* the profile represents an isotropic wall */
+} aspi_height_field;
 
 /* A view for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
-aspi_view aspi_view_of(double sigma, double alpha1);
+aspi_spread_input aspi_spread_input_of(double sigma, double alpha1);
 
 /* A spread model: the distribution of the tilt delta_alpha of the face that is hit. Each is cut to
  * |delta_alpha| < 90 degrees and alpha1 + delta_alpha < 180 degrees (a height function has no
@@ -57,32 +57,33 @@ struct asp_spread_model {
   const char *name;
   const char *summary; /* one line */
   const char *source;  /* author, year, equation */
-  bool geometry;       /* has the smaller slopes of summits at grazing incidence */
-  bool upward;         /* covers particles that fly up, too: faces with delta > -alpha1; for other
-                          models `visible` does */
-  /* The probability that a particle that a face has sent up at theta > 0 over the mean wall leaves;
-   * NULL: by the heights of a Gaussian wall. A model with a rule of its own always uses it. */
-  double (*escape)(const aspi_view *view, double theta);
+  bool geometry;       /* includes the smaller slopes of summits at grazing incidence */
+  bool covers_rising;  /* also covers particles that fly up: faces with delta > -alpha1; otherwise
+                          `visible` covers them */
+  /* Probability that a particle leaves the wall after a face has sent it up at theta > 0 over the
+   * mean wall. NULL: by the heights of a Gaussian wall. */
+  double (*escape)(const aspi_spread_input *view, double theta);
   /* Density in 1/rad and distribution at delta; NULL for `none`. */
-  double (*density)(const aspi_view *view, double delta);
-  double (*distribution)(const aspi_view *view, double delta);
+  double (*density)(const aspi_spread_input *view, double delta);
+  double (*distribution)(const aspi_spread_input *view, double delta);
   /* The delta at which the distribution is u, 0 < u < 1; NULL if the model is a loop only. */
-  double (*quantile)(const aspi_view *view, double u);
+  double (*quantile)(const aspi_spread_input *view, double u);
   /* Draws one delta by a loop; NULL: by the quantile. False when the loop reached its bound (delta
    * is then 0, the mean wall). */
-  bool (*loop)(const aspi_view *view, aspi_stream *stream, double *delta);
-  /* Makes aspi_view.data out of the heights of a wall, NULL on error, and frees it; NULL where
-   * none is needed. */
-  void *(*prepare)(const aspi_relief *of, const aspi_sizes *sizes, asp_error *error);
+  bool (*loop)(const aspi_spread_input *view, aspi_stream *stream, double *delta);
+  /* Makes aspi_spread_input.data out of the heights of a wall, NULL on error, and frees it; NULL
+   * where none is needed. */
+  void *(*prepare)(const aspi_height_field *of, const aspi_sizes *sizes, asp_error *error);
   void (*release)(void *data);
   /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
    * false when it leaves the wall. NULL for models without positions. */
-  bool (*follow)(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta);
+  bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+                 double *delta);
 };
 
 /* One delta of the model, from the stream; false when a loop reached its bound. */
-bool aspi_spread_draw(const asp_spread_model *model, const aspi_view *view, aspi_stream *stream,
-                      double *delta);
+bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *view,
+                      aspi_stream *stream, double *delta);
 
 #define ASP_SPREAD_MODELS(X)                                                                       \
   X(none)                                                                                          \
@@ -116,11 +117,11 @@ double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u);
 
 /* Distributions that two models share: the first face of `multicollision` follows `effective`, and
  * the loop of `rejection` samples `truncated`. */
-double aspi_effective_density(const aspi_view *view, double delta);
-double aspi_effective_distribution(const aspi_view *view, double delta);
-double aspi_effective_quantile(const aspi_view *view, double u);
+double aspi_effective_density(const aspi_spread_input *view, double delta);
+double aspi_effective_distribution(const aspi_spread_input *view, double delta);
+double aspi_effective_quantile(const aspi_spread_input *view, double u);
 
-double aspi_truncated_density(const aspi_view *view, double delta);
-double aspi_truncated_distribution(const aspi_view *view, double delta);
+double aspi_truncated_density(const aspi_spread_input *view, double delta);
+double aspi_truncated_distribution(const aspi_spread_input *view, double delta);
 
 #endif

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-static double escape(const aspi_view *view, double theta) {
+static double escape(const aspi_spread_input *view, double theta) {
   return view->sigma < ASP_SIGMA_ZERO ? 1 : tanh(1.5 * theta / view->sigma);
 }
 
@@ -17,7 +17,7 @@ const asp_spread_model aspi_spread_multicollision = {
     .name = "multicollision",
     .summary = "as effective, then further faces until the particle leaves",
     .source = "Konan, Kannengieser & Simonin 2009 (recalled, original not seen)",
-    .upward = true,
+    .covers_rising = true,
     .escape = escape,
     .density = aspi_effective_density,
     .distribution = aspi_effective_distribution,

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-static double quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   (void)view;
   (void)u;
   return 0;

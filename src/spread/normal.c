@@ -5,15 +5,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-static double density(const aspi_view *view, double delta) {
+static double density(const aspi_spread_input *view, double delta) {
   return aspi_cut_normal_density(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
 }
 
-static double distribution(const aspi_view *view, double delta) {
+static double distribution(const aspi_spread_input *view, double delta) {
   return aspi_cut_normal_distribution(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
 }
 
-static double quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   return aspi_cut_normal_quantile(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, u);

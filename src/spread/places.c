@@ -1,10 +1,10 @@
 /* Where a flight over a row continues after a hit on an isotropic wall. The rebound turns the
  * flight, and the wall along the new direction is another cut than the row. Given the height and
  * the slope at a place, all cuts of an isotropic wall have one law, so any place of the row with
- * that height and slope, in either direction, stands for the new cut. Its curvature is not free of
- * that of the old cut: given the height, the curvatures of two cuts of Gaussian heights at an angle
- * f have the correlation cos^2 f. So in that share of the moves the place has the old curvature,
- * too; without this, particles that skip along a valley forget it, and up to a third too many
+ * that height and slope, in either direction, stands for the new cut. Its curvature depends on the
+ * old cut's: given the height, the curvatures of two cuts of Gaussian heights at an angle f have
+ * the correlation cos^2 f. In that share of the moves the new place therefore has the old
+ * curvature. Without this, particles that skip along a valley forget it, and up to a third too many
  * stick. The joint law of both cuts is symmetric; so elastic rebounds can be reversed, and keep the
  * cosine law. (Derived for this project.)
  *
@@ -15,14 +15,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Most places of an index: with four times as many, elastic particles leave a wall alike. */
+/* Most places of an index. Four times as many change nothing for elastic particles. */
 enum { PLACES_MOST = 32768 };
 
-/* A standard deviation of the slope counts as this many of the height, or of the curvature. With a
- * slope that is off by as much as the height, too many particles leave at grazing angles. */
+/* Weight of the slope against height and curvature, all in standard deviations. With weight 1 too
+ * many particles leave at grazing angles. */
 #define SLOPE_COUNTS 8
 
-/* Curvatures are of places this share of the length of the row's waves apart. */
+/* Curvatures are second differences over this share of the row's wavelength. */
 #define BEND_SHARE 0.125
 
 static int by_height(const void *a, const void *b) {
@@ -99,7 +99,7 @@ void aspi_row_places_free(aspi_row_places *p) {
   free(p->place);
 }
 
-/* A search: the place that is wanted, and the best one so far. */
+/* A search: the wanted place, and the best one so far. */
 typedef struct search {
   double height, steepness, bend;
   double bend_unit; /* 0: any curvature */
@@ -107,7 +107,7 @@ typedef struct search {
   const aspi_row_place *best;
 } search;
 
-/* False if the places beyond this one in its strip are farther off than the best one. */
+/* False if all places beyond this one in its strip are farther off than the best. */
 static bool look_at(const aspi_row_places *p, const aspi_row_place *at, search *s) {
   double steepness = (double)at->steepness, aside = p->unit * (steepness - s->steepness);
   if (aside * aside >= s->off)

@@ -24,9 +24,9 @@ typedef struct aspi_row_places {
 asp_code aspi_row_places_create(aspi_row_places *places, const aspi_field *row, asp_error *error);
 void aspi_row_places_free(aspi_row_places *places);
 
-/* Moves the particle to the place of the row that is nearest to the same height, the slope `slope`
- * along its flight and, if it bends alike, the same curvature; *back: it flies toward smaller x
- * there. Returns how much `slope` exceeds the slope of that place. */
+/* Moves the particle to the place of the row with the nearest height, slope `slope` along its
+ * flight and, if the wall keeps its curvature, curvature. *back: it flies toward smaller x there.
+ * Returns how much `slope` exceeds the slope of that place. */
 double aspi_row_places_move(const aspi_row_places *places, const aspi_field *row, double slope,
                             bool bends_alike, aspi_spot *spot, bool *back);
 

@@ -6,7 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
+static bool loop(const aspi_spread_input *view, aspi_stream *stream, double *delta) {
   *delta = 0;
   if (view->sigma < ASP_SIGMA_ZERO)
     return true;

@@ -1,7 +1,7 @@
 /* The geometry itself, hit by hit: every particle falls on the dilated wall at a random place and
  * is followed over it until it leaves (flight.h). Exact for the heights of a measured profile or
- * map and the diameters that it is prepared for; a particle in between takes one of the two next to
- * its own, the nearer one more often.
+ * map and the diameters that it is prepared for; a particle in between uses one of the two
+ * neighboring diameters, the nearer one more often.
  *
  * A Gaussian wall gets a generated profile with the rms slope of the ensemble, and its negative;
  * half of the particles fly over each of them backwards. This represents the ensemble better than
@@ -27,10 +27,7 @@
 enum { PER_LAMBDA = 64, POINTS = 1 << 19 };
 #define SEED 1
 
-/* Below this kappa all sizes are of one bin. */
-#define KAPPA_NO_FILTER 0.08
-
-/* Most points of a field over a map, and how many of them a correlation length needs. */
+/* Most points of a field over a map, and points per correlation length. */
 enum { MAP_POINTS = 1 << 18, MAP_PER_LAMBDA = 64 };
 
 /* A dilated wall, and the index of its places where flights move. */
@@ -57,8 +54,8 @@ static void release(void *data) {
   free(t);
 }
 
-/* All points of a small map; of a larger one every second, third and so on, and of one that is too
- * large for that the middle. */
+/* All points of a small map; every second, third ... point of a larger one; only the middle of an
+ * even larger one. */
 static aspi_grid grid_of(const asp_heights *map, const asp_surface *surface) {
   const size_t side[2] = {map->columns, map->rows};
   aspi_grid g = {.stride = 1};
@@ -77,8 +74,8 @@ static aspi_grid grid_of(const asp_heights *map, const asp_surface *surface) {
 }
 
 /* The field of a wall for one size; `made`: a generated profile, which is smooth, or NULL. */
-static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_heights *made, double d_p,
-                     asp_error *error) {
+static asp_code fill(aspi_field *field, const aspi_height_field *of, const asp_heights *made,
+                     double d_p, asp_error *error) {
   if (of->heights) {
     const aspi_grid grid = grid_of(of->heights, of->surface);
     return aspi_field_create(field, of->heights, d_p, &grid, error);
@@ -89,9 +86,9 @@ static asp_code fill(aspi_field *field, const aspi_relief *of, const asp_heights
   return code;
 }
 
-/* The same with what flights in space need: the path of a disc is steeper than that of a sphere. */
-static asp_code fill_one(fields *t, const aspi_relief *of, const asp_heights *made, int number,
-                         int bin, asp_error *error) {
+/* The same for flights in space: the path of a disc is steeper than that of a sphere. */
+static asp_code fill_one(fields *t, const aspi_height_field *of, const asp_heights *made,
+                         int number, int bin, asp_error *error) {
   relief *wall = &t->wall[t->fields * bin + number];
   double d_p = aspi_sizes_at(&t->sizes, bin);
   asp_code code = fill(&wall->field, of, made, d_p, error);
@@ -104,7 +101,7 @@ static asp_code fill_one(fields *t, const aspi_relief *of, const asp_heights *ma
 }
 
 /* The fields of all sizes over the wall, or over a generated profile (0) or its negative (1). */
-static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error *error) {
+static asp_code fill_all(fields *t, const aspi_height_field *of, int number, asp_error *error) {
   asp_heights *made = NULL;
   if (!of->heights) {
     double r_q, lambda_c;
@@ -121,14 +118,14 @@ static asp_code fill_all(fields *t, const aspi_relief *of, int number, asp_error
   return code;
 }
 
-static void *prepare(const aspi_relief *of, const aspi_sizes *sizes, asp_error *error) {
+static void *prepare(const aspi_height_field *of, const aspi_sizes *sizes, asp_error *error) {
   bool generated = !of->heights, is_map = !generated && of->heights->rows > 1;
   asp_heights_numbers d = {0};
   if (aspi_sizes_check(sizes, error) || (is_map && asp_heights_describe(of->heights, &d, error)))
     return NULL;
   int number = generated ? 2 : 1, bins = sizes->bins;
-  if (generated && asp_surface_kappa(of->surface, sizes->most) < KAPPA_NO_FILTER)
-    bins = 1;
+  if (generated && asp_surface_kappa(of->surface, sizes->most) < ASPI_KAPPA_NO_FILTER)
+    bins = 1; /* all sizes meet the same slopes */
   fields *t = calloc(1, sizeof *t + (size_t)(bins * number) * sizeof *t->wall);
   if (!t) {
     aspi_fail(error, ASP_ENOMEM, "out of memory for %d dilated walls", bins * number);
@@ -144,7 +141,8 @@ static void *prepare(const aspi_relief *of, const aspi_sizes *sizes, asp_error *
 }
 
 /* Puts the particle over the wall; over generated profiles, in either direction. */
-static void enter(const fields *t, const aspi_view *view, aspi_stream *stream, aspi_path *path) {
+static void enter(const fields *t, const aspi_spread_input *view, aspi_stream *stream,
+                  aspi_path *path) {
   double u = aspi_stream_uniform(stream), v = 0;
   path->begun = true;
   path->field = t->fields * aspi_sizes_draw(&t->sizes, view->d_p, stream);
@@ -161,17 +159,19 @@ static void enter(const fields *t, const aspi_view *view, aspi_stream *stream, a
   path->spot = aspi_field_enter(&t->wall[path->field].field, u, v);
 }
 
-/* Moves to a place with the slope that the last face has along the new flight; returns how much the
- * slope there is too small. */
+/* Moves to a place whose slope is the last face's slope along the new flight; returns by how much
+ * its slope is too small. */
 static double move(const relief *wall, aspi_stream *stream, aspi_path *path) {
   double x = cos(path->turn), slope = path->p * x + path->q * sin(path->turn);
   bool alike = aspi_stream_uniform(stream) < x * x;
   return aspi_row_places_move(&wall->places, &wall->field, slope, alike, &path->spot, &path->back);
 }
 
-static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta) {
+static bool trace_hit(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+                      double *delta) {
   const fields *t = view->data;
-  double shear = 0; /* added to all slopes, so that the particle leaves the face as it did */
+  double shear =
+      0; /* added to all slopes, so that the particle leaves the new face at the same angle */
   if (!path->begun)
     enter(t, view, stream, path);
   else if (t->moves)
@@ -194,9 +194,9 @@ static bool follow(const aspi_view *view, aspi_stream *stream, aspi_path *path, 
   return true;
 }
 
-static bool loop(const aspi_view *view, aspi_stream *stream, double *delta) {
+static bool draw(const aspi_spread_input *view, aspi_stream *stream, double *delta) {
   aspi_path path = {0};
-  return follow(view, stream, &path, delta);
+  return trace_hit(view, stream, &path, delta);
 }
 
 const asp_spread_model aspi_spread_traced = {
@@ -204,9 +204,9 @@ const asp_spread_model aspi_spread_traced = {
     .summary = "the particle followed over the heights of the wall, hit by hit",
     .source = "geometry",
     .geometry = true,
-    .upward = true,
-    .loop = loop,
+    .covers_rising = true,
+    .loop = draw,
     .prepare = prepare,
     .release = release,
-    .follow = follow,
+    .follow = trace_hit,
 };

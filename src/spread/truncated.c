@@ -4,15 +4,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-double aspi_truncated_density(const aspi_view *view, double delta) {
+double aspi_truncated_density(const aspi_spread_input *view, double delta) {
   return aspi_cut_normal_density(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-double aspi_truncated_distribution(const aspi_view *view, double delta) {
+double aspi_truncated_distribution(const aspi_spread_input *view, double delta) {
   return aspi_cut_normal_distribution(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-static double quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   return aspi_cut_normal_quantile(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, u);

@@ -49,7 +49,7 @@ static double mills_gap(double t) {
   return sum;
 }
 
-static variate variate_at(const aspi_view *view) {
+static variate variate_at(const aspi_spread_input *view) {
   variate w = {.a = tan(view->alpha1) / view->slope};
   if (w.a < 0) {
     w.a = fmax(w.a, A_LEAST);
@@ -78,14 +78,14 @@ static double near_end(double a, double y) {
 }
 
 /* The derivatives of the logarithm of phi(x) y. */
-static void set_rise(aspi_point *p, double x, double y) {
+static void set_rise(aspi_node *p, double x, double y) {
   double rise = 1 / y;
   p->log_rise[0] = rise - x;
   p->log_rise[1] = -1 - rise * rise;
   p->log_rise[2] = 2 * rise * rise * rise;
 }
 
-static aspi_point down_at(const void *of, double x, bool upper) {
+static aspi_node down_at(const void *of, double x, bool upper) {
   const variate *w = of;
   double a = w->a, y = x + a, phi = aspi_gauss_density(x), share;
   if (upper)
@@ -94,17 +94,17 @@ static aspi_point down_at(const void *of, double x, bool upper) {
     share = w->density * near_end(a, y);
   else
     share = a * (aspi_gauss_below(x) - w->shadow) + w->density - phi;
-  aspi_point p = {.share = share / w->z, .density = phi * y / w->z};
+  aspi_node p = {.share = share / w->z, .density = phi * y / w->z};
   set_rise(&p, x, y);
   return p;
 }
 
 /* For a < 0, counted from the end of the support: y = x + a. */
-static aspi_point up_at(const void *of, double y, bool upper) {
+static aspi_node up_at(const void *of, double y, bool upper) {
   const variate *w = of;
   double t = -w->a, x = y + t, decay = exp(-y * (t + 0.5 * y));
   bool near = y * (1 + t) < 0.5;
-  aspi_point p = {.density = decay * y / w->z};
+  aspi_node p = {.density = decay * y / w->z};
   p.share = (near ? near_end(w->a, y) : decay * (y + t * mills_gap(x)) / x) / w->z;
   if (near == upper)
     p.share = 1 - p.share;
@@ -112,7 +112,7 @@ static aspi_point up_at(const void *of, double y, bool upper) {
   return p;
 }
 
-static aspi_point at(const variate *w, double x) {
+static aspi_node at(const variate *w, double x) {
   return w->a < 0 ? up_at(w, x + w->a, false) : down_at(w, x, false);
 }
 
@@ -159,7 +159,7 @@ static double up_quantile(const variate *w, double u) {
   return t + aspi_invert(up_at, w, 0, (r2 + 16) * length, r2 * length * (1 + t / (1 + t)), u);
 }
 
-static double density(const aspi_view *view, double delta) {
+static double density(const aspi_spread_input *view, double delta) {
   variate w = variate_at(view);
   double p = tan(delta), y = p / view->slope + w.a;
   if (!(y > 0) || delta >= ASP_DELTA_MOST)
@@ -167,7 +167,7 @@ static double density(const aspi_view *view, double delta) {
   return at(&w, p / view->slope).density * (1 + p * p) / view->slope;
 }
 
-static double distribution(const aspi_view *view, double delta) {
+static double distribution(const aspi_spread_input *view, double delta) {
   variate w = variate_at(view);
   double x = tan(delta) / view->slope;
   if (delta <= -ASP_DELTA_MOST || !(x > -w.a))
@@ -175,7 +175,7 @@ static double distribution(const aspi_view *view, double delta) {
   return delta >= ASP_DELTA_MOST ? 1 : fmax(0, at(&w, x).share);
 }
 
-static double quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   variate w = variate_at(view);
@@ -189,7 +189,7 @@ const asp_spread_model aspi_spread_visible = {
     .summary = "slopes of a Gaussian wall as the particle sees them: with shadow and flux",
     .source =
         "derived for this project; Heitz & d'Eon 2014 (visible normals), the same distribution",
-    .upward = true,
+    .covers_rising = true,
     .density = density,
     .distribution = distribution,
     .quantile = quantile,

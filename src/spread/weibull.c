@@ -36,7 +36,7 @@ static double lost_beyond(aspi_weibull w) {
   return exp(-pow((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
 }
 
-static double density(const aspi_view *view, double delta) {
+static double density(const aspi_spread_input *view, double delta) {
   aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
   if (delta <= w.b || delta > ASP_DELTA_MOST)
     return 0;
@@ -44,7 +44,7 @@ static double density(const aspi_view *view, double delta) {
   return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / (1 - lost_beyond(w));
 }
 
-static double distribution(const aspi_view *view, double delta) {
+static double distribution(const aspi_spread_input *view, double delta) {
   aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
   if (delta <= w.b)
     return 0;
@@ -54,7 +54,7 @@ static double distribution(const aspi_view *view, double delta) {
 }
 
 /* In the upper half by the share above, which for u near 1 keeps its digits. */
-static double quantile(const aspi_view *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);

@@ -283,7 +283,7 @@ static surface blend(const asp_heights *map, double x, double y) {
 
 /* The contact near the point that was found: Newton's method on the parabola around that point,
  * then with the gradient of the blended surface and the parabola's derivatives. (x, y): from the
- * point to the center. False where it does not end nearby. */
+ * point to the center. False if it does not end nearby. */
 static bool refine(const search *s, double x, double y, aspi_touch *touch) {
   const asp_heights *map = s->ball->map;
   const patch f = patch_at(map, s->at[0], s->at[1]);

@@ -20,8 +20,8 @@ void aspi_ball_free(aspi_ball *ball);
 
 /* The dilation of the map by the sphere: row after row from `first` to before `end`, into arrays of
  * the whole map's size. The sphere rests on the sampled points, exactly; then place and gradient of
- * the contact are those of the surface between them. A time a point that hardly depends on d_p. Any
- * number of threads may do rows of one ball. p and q may be NULL. */
+ * the contact are those of the surface between them. The time per point hardly depends on d_p.
+ * Threads may share one ball. p and q may be NULL. */
 void aspi_ball_rows(const aspi_ball *ball, size_t first, size_t end, float *height, float *p,
                     float *q);
 

@@ -176,8 +176,8 @@ static double at_lag(const correlation *c, double x, double y) {
   return (1 - v) * ((1 - u) * z[0] + u * z[right]) + v * ((1 - u) * z[up] + u * z[up + right]);
 }
 
-/* The distance at which the autocorrelation first falls to the level along a direction; 0 when it
- * does not within the lags that there are. */
+/* The distance at which the autocorrelation first falls to the level along a direction; 0 if it
+ * does not fall that far. */
 static double contour(const asp_heights *h, const correlation *c, double angle, double level) {
   double ex = cos(angle) / h->step[0], ey = sin(angle) / h->step[1];
   double step = 1 / fmax(fabs(ex), fabs(ey)), before = 1;
@@ -193,7 +193,7 @@ static double contour(const asp_heights *h, const correlation *c, double angle, 
   }
 }
 
-/* The symmetric M with r' M r = 1 nearest to the points, by least squares; false where they do not
+/* The symmetric M with r' M r = 1 nearest to the points, by least squares; false if they do not
  * fix it. */
 static bool fit_ellipse(const double (*point)[2], size_t count, double m[3]) {
   aspi_least_squares fit = {.terms = 3};

@@ -11,8 +11,8 @@
  * profiles). */
 #define ASP_LENGTH_ERROR(lengths) (1.1 / sqrt(lengths))
 
-/* ASP_EDATA and a message for heights that are no roughness: phi_r over 1, or uncorrelated
- * neighboring points, as in noise. */
+/* ASP_EDATA and a message if the heights cannot be a rough wall: phi_r over 1, or uncorrelated
+ * neighbors, as in noise. */
 asp_code aspi_heights_check(const asp_heights *heights, const asp_heights_numbers *numbers,
                             asp_error *error);
 

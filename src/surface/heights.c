@@ -17,7 +17,6 @@
 /* The filter is cut where it has fallen to exp(-32). */
 #define KERNEL_REACH 4.0
 
-#define LENGTH_LEAST 20.0 /* correlation lengths */
 #define SPACING_MOST 0.25 /* correlation lengths */
 #define HEIGHT_MOST 1e100 /* spacings; squares of it do not overflow */
 
@@ -78,13 +77,13 @@ static void filter_noise(const double *noise, double *heights, size_t points, si
 asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
                                    uint32_t seed, asp_error *error) {
   double step = spacing / lambda_c;
-  if (step > SPACING_MOST || !((double)points * step >= LENGTH_LEAST) ||
+  if (step > SPACING_MOST || !((double)points * step >= ASPI_LENGTHS_LEAST) ||
       points > ASP_POINTS_MOST / 2) {
     aspi_fail(
         error, ASP_EARG,
         "a profile of %zu points, lambda_c/%.3g apart; they must be lambda_c/4 apart or less, "
         "and over %g lambda_c, but no more than %zu",
-        points, 1 / step, LENGTH_LEAST, ASP_POINTS_MOST / 2);
+        points, 1 / step, ASPI_LENGTHS_LEAST, ASP_POINTS_MOST / 2);
     return NULL;
   }
   size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(8 * reach);

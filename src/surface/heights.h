@@ -6,13 +6,16 @@
 
 #include "asperity_internal.h"
 
-/* Row after row, x along a row. A profile is a map of one row, as long across as you like. */
+/* Row after row, x along a row. A profile is a map with one row; step[1] is not used. */
 struct asp_heights {
   size_t columns, rows;
   double step[2]; /* between columns, between rows */
   bool periodic;
   double *z;
 };
+
+/* A wall shorter than this, in correlation lengths, tells little about its roughness. */
+#define ASPI_LENGTHS_LEAST 20.0
 
 /* Least points of a side (a profile has one row), and most points in all: GSL's radix-2 FFT shifts
  * an int. */
@@ -33,24 +36,22 @@ aspi_extent aspi_heights_extent(const asp_heights *heights);
 /* Uninitialized room for numbers, or NULL. */
 double *aspi_allocate(size_t count);
 
-/* Heights that take over `z` (from malloc; NULL counts as out of memory), and free it when this
- * fails. */
+/* Heights that own `z` (from malloc; NULL: out of memory). On failure `z` is freed. */
 asp_heights *aspi_heights_adopt(double *z, size_t columns, size_t rows, const double step[2],
                                 bool periodic, asp_error *error);
 asp_heights *aspi_profile_adopt(double *z, size_t points, double spacing, bool periodic,
                                 asp_error *error);
 
 /* A Gaussian profile (Garcia & Stoll 1984, secondary source): white noise filtered so that the
- * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. Of any number of points, but at least 20
- * lambda_c long and at most lambda_c/4 apart. The ensemble has r_q and lambda_c, a sample within
- * its sampling error. The same seed gives the same profile. */
+ * autocovariance is r_q^2 exp(-x^2/lambda_c^2); periodic. At least 20 lambda_c long, points at most
+ * lambda_c/4 apart. The ensemble has r_q and lambda_c; one sample has them within its sampling
+ * error. The same seed gives the same profile. */
 asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, size_t points,
                                    uint32_t seed, asp_error *error);
 
-/* The same, scaled so that the mean square difference between neighbors equals the ensemble's,
- * times `sign`, 1 or -1: the negative of a realization is another one. With flights in both
- * directions, these take most of the sampling error of a short profile out of the law of the first
- * hit. */
+/* The same, scaled to the ensemble's mean square difference between neighbors, times `sign`, 1 or
+ * -1: the negative of a sample is another sample. With flights in both directions, these take most
+ * of the sampling error of a short profile out of the law of the first hit. */
 asp_heights *aspi_profile_generate_scaled(double r_q, double lambda_c, double spacing,
                                           size_t points, uint32_t seed, int sign, asp_error *error);
 

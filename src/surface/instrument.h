@@ -18,7 +18,7 @@ double aspi_lambda_of_s_al(double s_al);
 #define ASPI_RSM_MOST 64
 double aspi_r_sm_factor(double sampling);
 
-/* lambda_c of R_Sm measured with that sampling length; NAN where it is not within that range. */
+/* lambda_c of R_Sm measured with that sampling length; NAN if it is not within that range. */
 double aspi_lambda_of_r_sm(double r_sm, double sampling);
 
 /* R_Sm over the sampling length, where that is this many lambda_c: it falls with it. */

@@ -141,7 +141,7 @@ static ptrdiff_t wrapped(const curve *c, ptrdiff_t i) {
 }
 
 /* Raises the path to an arc, from a point on until a place. */
-static inline void raise(const curve *c, const arc *a, ptrdiff_t first, double until) {
+static inline void lift(const curve *c, const arc *a, ptrdiff_t first, double until) {
   double u = (double)first - a->from;
   int left = (int)(until - (double)first) + 1;
   for (ptrdiff_t i = wrapped(c, first); left > 0; i = 0) {
@@ -187,7 +187,7 @@ static void join(curve *c, const place *from, const place *to) {
   if (width > WIDE && from->slope > to->slope)
     keep(c, a, first);
   else if (c->path)
-    raise(c, &a, first, to->x);
+    lift(c, &a, first, to->x);
 }
 
 /* True if between begin and end an arc, which bends down, is below the line from `low` on; it is
@@ -207,8 +207,9 @@ static void swap(arc *a, arc *b) {
   *b = kept;
 }
 
-/* Raises the path between two points to the highest of wide arcs. Those below the chord of one that
- * is high in the middle are left out, which reorders the arcs; the others go on in both halves. */
+/* Raises the path between two points to the highest of wide arcs. Arcs below the chord of an arc
+ * that is high in the middle are dropped, which reorders the arcs; the rest are tried in both
+ * halves. */
 static void raise_to_highest(const curve *c, arc *arcs, size_t count, ptrdiff_t first,
                              ptrdiff_t last) {
   double begin = (double)first, end = (double)last, most = -INFINITY, slope = 0;
@@ -237,12 +238,12 @@ static void raise_to_highest(const curve *c, arc *arcs, size_t count, ptrdiff_t 
   }
   for (const arc *a = arcs; a < arcs + count; a++) {
     ptrdiff_t from = point_from(a->from);
-    raise(c, a, from > first ? from : first, fmin(a->to, end));
+    lift(c, a, from > first ? from : first, fmin(a->to, end));
   }
 }
 
-/* Rolls over a cubic in equal pieces, from one place to another. Where it is halved, the slope in
- * the middle comes closer to the mean of the ends by a factor of 4. */
+/* Rolls over a cubic in equal pieces. Halving a piece brings the slope in its middle four times
+ * closer to the mean of its ends. */
 static void roll(curve *c, const cubic *over, const place *from, const place *to) {
   double up = over->z[1] - over->z[0], bow = over->slope[0] + over->slope[1] - 2 * up;
   const double *p = over->slope;

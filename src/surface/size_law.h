@@ -6,6 +6,9 @@
 
 #include "asperity_internal.h"
 
+/* Below this kappa the filter reduces the slope by less than 1e-4 and is left out. */
+#define ASPI_KAPPA_NO_FILTER 0.08
+
 /* The rms slopes that a sphere of diameter d_p meets across the lay, and along it: with kappa_i =
  * sqrt(3) d_p r_q/lambda_i^2, s_i (1 + kappa_i^2 (0.92 kappa_i + 0.37 kappa_j))^(-1/6), which was
  * derived for this project and compared with dilations of surfaces: within 2 % for kappa up to 4,

@@ -23,9 +23,6 @@
 /* Under this ratio of the two lengths a map has no lay to speak of. */
 #define STRETCH_LEAST 1.05
 
-/* Below this kappa the filter reduces the slope by less than 1e-4 and is left out. */
-#define KAPPA_NO_FILTER 0.08
-
 /* The closed form has been compared with generated profiles up to here, where it is 5 % high. */
 #define KAPPA_MOST 64.0
 
@@ -36,9 +33,9 @@
 #define POINTS 1e6
 
 struct asp_surface {
-  double r_q;          /* this and the next two NAN where they are not known */
+  double r_q;          /* this and the next two NAN if they are not known */
   double lambda_c;     /* that of its faces, too */
-  double lambda_along; /* along the lay; lambda_c where there is none */
+  double lambda_along; /* along the lay; lambda_c without a lay */
   double stretch;      /* lambda_along/lambda_c */
   double phi_r;
   double slope;     /* unfiltered rms slope */
@@ -58,7 +55,7 @@ struct asp_surface {
 /* ---- making ---- */
 
 double aspi_closed_form(double kappa) {
-  return kappa < KAPPA_NO_FILTER ? 1 : 1 / sqrt(cbrt(1 + 0.92 * kappa * kappa * kappa));
+  return kappa < ASPI_KAPPA_NO_FILTER ? 1 : 1 / sqrt(cbrt(1 + 0.92 * kappa * kappa * kappa));
 }
 
 static asp_surface *allocate(int nodes, asp_error *error) {
@@ -88,7 +85,7 @@ static void set_range(asp_surface *surface, double d_least, double d_most) {
 }
 
 /* Corrections for a phi_r between two rows of the table, linear between them. The row before the
- * first one is the closed form itself, so that there is no step where the table takes over. */
+ * first is the closed form, so the slope has no jump where the table begins. */
 static void set_by_table(asp_surface *surface, double phi_r) {
   double at = (phi_r - PHI_R_CLOSED) / SIZE_TABLE_PHI_STEP;
   int below = (int)fmin(at, SIZE_TABLE_ROWS - 1);
@@ -114,10 +111,10 @@ static asp_code check_numbers(double r_q, double lambda_c, double phi_r_most, as
   double phi_r = r_q / lambda_c;
   if (phi_r <= phi_r_most * (1 + ASPI_ROUNDING_DOUBLE))
     return ASP_OK;
-  return aspi_fail(error, ASP_ERANGE,
-                   "phi_r = r_q/lambda_c is %g; the size law of a wall %s lay "
-                   "reaches to %g",
-                   phi_r, phi_r_most > PHI_R_CLOSED ? "without" : "with a", phi_r_most);
+  return aspi_fail(
+      error, ASP_ERANGE,
+      "r_q is %g and lambda_c %g: their ratio %g must be at most %g%s. Are the units right?", r_q,
+      lambda_c, phi_r, phi_r_most, phi_r_most > PHI_R_CLOSED ? "" : " with a lay");
 }
 
 asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
@@ -177,9 +174,8 @@ static asp_code check_bins(const asp_heights *profile, double d_min, double d_ma
   double length = (double)profile->columns * spacing;
   if (!(d_min >= spacing && d_min <= d_max && d_max <= length))
     return aspi_fail(error, ASP_EARG,
-                     "particles of %g to %g on a profile of spacing %g and length %g; they must be "
-                     "from its spacing to its length",
-                     d_min, d_max, spacing, length);
+                     "d_p is %g to %g; the profile's spacing and length allow %g to %g", d_min,
+                     d_max, spacing, length);
   if (bins < 1 || bins > ASP_BINS_MAX)
     return aspi_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, (int)ASP_BINS_MAX);
   return ASP_OK;
@@ -268,7 +264,7 @@ asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *er
   if (d_p >= 0 && d_p <= surface->d_p_most * (1 + ASPI_ROUNDING_DOUBLE))
     return ASP_OK;
   return aspi_fail(error, ASP_ERANGE,
-                   "d_p is %g; the size law of this wall (r_q %g, lambda_c %g) reaches to %g", d_p,
+                   "d_p is %g; this wall's size law (r_q %g, lambda_c %g) is valid up to %g", d_p,
                    surface->r_q, surface->lambda_c, surface->d_p_most);
 }
 
@@ -344,7 +340,7 @@ static double sphere_ratio(double kappa, double other) {
 }
 
 double aspi_sphere_over_disc(double kappa) {
-  return kappa >= KAPPA_NO_FILTER ? 1 - 0.105 / (1 + pow(2.12 / kappa, 1.5)) : 1;
+  return kappa >= ASPI_KAPPA_NO_FILTER ? 1 - 0.105 / (1 + pow(2.12 / kappa, 1.5)) : 1;
 }
 
 void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double slope[2]) {
@@ -352,7 +348,7 @@ void aspi_surface_sphere_slopes(const asp_surface *surface, double d_p, double s
   double other = kappa * short_way * short_way;
   if (surface->closed_form) {
     double steep = surface->nodes ? surface->slope * correction(surface, d_p) : surface->slope;
-    bool filters = fmax(kappa, other) >= KAPPA_NO_FILTER;
+    bool filters = fmax(kappa, other) >= ASPI_KAPPA_NO_FILTER;
     slope[0] = steep * (filters ? sphere_ratio(kappa, other) : 1);
     slope[1] = steep * short_way * (filters ? sphere_ratio(other, kappa) : 1);
     return;

@@ -15,12 +15,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/body.h"
 
-/* The turn of the sliding in one stretch (rad), and the share of its speed that it may lose. */
+/* Most that the sliding may turn in one stretch (rad), and the share of its speed that it may lose.
+ */
 #define TURN_MOST 0.02
 #define LOSS 0.2
 
-/* Sliding that turns less than this, per what changes its speed, keeps its direction; sliding of
- * this share of its first speed has stopped. */
+/* Sliding keeps its direction if its turn over its change of speed is less than this. It has
+ * stopped at this share of its first speed. */
 #define STRAIGHT 1e-7
 #define STOPPED 1e-9
 
@@ -32,13 +33,13 @@ typedef struct inverse_mass {
   double a, b, m, am, bm;
 } inverse_mass;
 
-typedef struct path {
+typedef struct lever_path {
   inverse_mass k;
   double friction, e2;
   double u_a, u_b, u_m; /* velocity of the point */
   double j_a, j_b, p;   /* impulse so far */
-  double work, least;   /* of the normal impulse so far, and its least value */
-} path;
+  double work, least;   /* work of the normal impulse so far, and its least value */
+} lever_path;
 
 vec aspi_body_turn(const asp_body *body, vec arm, vec impulse) {
   const double *i = body->inverse_inertia;
@@ -52,9 +53,9 @@ vec aspi_body_kick(const asp_body *body, vec arm, vec impulse) {
               cross(aspi_body_turn(body, arm, impulse), arm));
 }
 
-/* The normal impulse from here to the end of restitution, at the rate du_m/dp; INFINITY where the
- * point does not come to it. */
-static double to_end(const path *at, double rate) {
+/* The normal impulse from here to the end of restitution, at the rate du_m/dp; INFINITY if it never
+ * ends. */
+static double to_end(const lever_path *at, double rate) {
   double before = 0, u = at->u_m, work = at->work, least = at->least;
   if (u < 0) {
     if (!(rate > 0))
@@ -72,7 +73,7 @@ static double to_end(const path *at, double rate) {
 
 /* One stretch with friction against (s_a, s_b), of the normal impulse dp or less; true at the end
  * of restitution. */
-static bool stretch(path *at, double s_a, double s_b, double dp) {
+static bool stretch(lever_path *at, double s_a, double s_b, double dp) {
   const inverse_mass *k = &at->k;
   double f_a = -at->friction * s_a, f_b = -at->friction * s_b;
   double rate = k->m + k->am * f_a + k->bm * f_b, end = to_end(at, rate), u_m = at->u_m;
@@ -92,7 +93,7 @@ static bool stretch(path *at, double s_a, double s_b, double dp) {
 }
 
 /* Sliding until it stops; true at the end of restitution. */
-static bool slide(path *at) {
+static bool slide(lever_path *at) {
   const inverse_mass *k = &at->k;
   double mu = at->friction, first = hypot(at->u_a, at->u_b);
   double most = hypot(k->am, k->bm) + mu * fabs(k->a - k->b); /* of the turn */
@@ -121,9 +122,9 @@ static bool slide(path *at) {
   }
 }
 
-/* The rest, of a point that does not slide: it sticks, with the friction that holds it, or slides
- * off in the direction in which it keeps sliding, (mu K_t + lambda) s = K_tm. */
-static void stick(path *at) {
+/* The rest of the impulse at a point that has stopped: it sticks, or slides off in the one
+ * direction that stays constant, (mu K_t + lambda) s = K_tm. */
+static void stick(lever_path *at) {
   const inverse_mass *k = &at->k;
   double mu = at->friction, lambda = 0, most = hypot(k->am, k->bm);
   if (hypot(k->am / k->a, k->bm / k->b) > mu) {
@@ -152,16 +153,16 @@ vec aspi_body_impulse(const asp_body *body, vec arm, vec m, vec u, double e, dou
   vec a, b;
   principal(body, arm, m, &a, &b);
   vec k = aspi_body_kick(body, arm, m);
-  path at = {.k = {.a = dot(a, aspi_body_kick(body, arm, a)),
-                   .b = dot(b, aspi_body_kick(body, arm, b)),
-                   .m = dot(m, k),
-                   .am = dot(a, k),
-                   .bm = dot(b, k)},
-             .friction = friction,
-             .e2 = e * e,
-             .u_a = dot(u, a),
-             .u_b = dot(u, b),
-             .u_m = dot(u, m)};
+  lever_path at = {.k = {.a = dot(a, aspi_body_kick(body, arm, a)),
+                         .b = dot(b, aspi_body_kick(body, arm, b)),
+                         .m = dot(m, k),
+                         .am = dot(a, k),
+                         .bm = dot(b, k)},
+                   .friction = friction,
+                   .e2 = e * e,
+                   .u_a = dot(u, a),
+                   .u_b = dot(u, b),
+                   .u_m = dot(u, m)};
   if (!(friction > 0))
     stretch(&at, 0, 0, INFINITY);
   else if (!slide(&at))

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* The particle keeps its velocity: without a pair that the law needs, and where that is no number.
+/* The particle keeps its velocity: the law lacks its pair, or the velocity is not finite.
  */
 static void pass(const asp_particle *particle, const double v1[3], asp_impact *impact) {
   *impact = (asp_impact){.outcome = ASP_REBOUND};
@@ -25,15 +25,15 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
   vec turning = cross(n, omega), other[2];
   double rate = sqrt(dot(turning, turning)), delta = 0;
   turning = rate > 0 ? scaled(turning, 1 / rate) : across(n);
-  aspi_view view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
-  while (!aspi_spread_draw(wall->upward, &view, stream, &delta))
+  aspi_spread_input view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
+  while (!aspi_spread_draw(wall->rising, &view, stream, &delta))
     ;
   other[0] = plus(scaled(n, aspi_stream_normal(stream)), -tan(delta), turning);
   return scaled(plus(other[0], aspi_stream_normal(stream), cross(n, turning)), sd);
 }
 
-/* The impact of an eccentric grain. It turns, and as long as its center still approaches the wall
- * it hits again, with another point; at last as a sphere. */
+/* The impact of an eccentric grain. If its center still approaches the wall after a hit, it hits
+ * again with another point, at last as a sphere. */
 static void impact_eccentric(const asp_wall *wall, bool rough, const asp_particle *particle, vec v,
                              vec n, aspi_stream *stream, const aspi_ratios *ratios,
                              asp_impact *impact) {
@@ -89,7 +89,8 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   return ASP_OK;
 }
 
-/* The impact on a wall whose grains differ: apart, so that others need no room for a pair. */
+/* The impact on a wall whose grains differ; a function of its own, so that other walls need no
+ * space for a pair. */
 static asp_code impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
                                 const double v1[3], const double n[3], const asp_key *key,
                                 asp_impact *impact) {
@@ -148,7 +149,7 @@ double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_p
   return most;
 }
 
-/* ASP_ERANGE where an impact on another wall cannot be told from those on this one. */
+/* ASP_ERANGE if impacts on this wall say too little about another one. */
 static asp_code check_steeper(const asp_wall *wall, const asp_particle *particle, const double n[3],
                               const aspi_ratios *ratios, asp_error *error) {
   for (size_t k = 0; k < ratios->n; k++) {

@@ -1,5 +1,5 @@
-/* Faces that have a length, and the valleys between them: what contacts that follow each other
- * closely, or never end, meet of a rough wall.
+/* Faces that have a length, and the valleys between them: the part of a rough wall that matters for
+ * contacts in quick succession, or without end.
  *
  * A Gaussian profile crosses its mean height upward once per 2 pi r_q/s (Rice 1944). A face reaches
  * half as far, l = pi r_q/s = (pi/sqrt(2)) lambda_c. A particle that lies between two of them
@@ -23,13 +23,13 @@
 /* Faces around a sphere that lies on a surface. */
 enum { FACES_AROUND = 2 };
 
-/* The frame of a direction along the wall; one that has none goes across the lay. */
+/* The frame of a direction along the wall; across the lay if it has none. */
 static aspi_heading heading_along(const aspi_roughness *rough, vec along, vec n) {
   frame f = frame_of(along, n);
   return has_direction(&f) ? aspi_heading_of(rough, &f) : (aspi_heading){1, 0};
 }
 
-/* The factor on lengths across the lay for those along the heading: M of the autocovariance
+/* The factor from lengths across the lay to lengths along the heading, by M of the autocovariance
  * exp(-r M r). */
 static double stretch(const aspi_roughness *rough, aspi_heading heading) {
   return 1 / sqrt(heading.cosine * heading.cosine + heading.sine * heading.sine * rough->shrink);

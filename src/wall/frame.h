@@ -56,8 +56,8 @@ static inline vec across(vec n) {
   return unit(cross(n, fabs(n.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}));
 }
 
-/* The frame of a velocity at a wall. A speed along it that is rounding has no direction. What is
- * left of the difference along the normal, of a velocity nearly along it, is rounding; it is
+/* The frame of a velocity at a wall. A speed along it that is rounding has no direction. For a
+ * velocity nearly along the normal the tangential rest has a normal part from rounding; it is
  * subtracted once more. */
 static inline frame frame_of(vec v, vec normal) {
   frame f = {.n = unit(normal)};

@@ -44,9 +44,9 @@ static double inverse_mass(const asp_body *body, vec m) {
 }
 
 /* The rebound of a body. The law acts as on a sphere of the effective mass 1/(m.K m): its
- * restitution and its friction are those of the contact. With a law that turns spheres friction
- * acts where the surface touches, with the others at the center of the touching sphere. A deposit
- * holds the whole body. */
+ * restitution and its friction are those of the contact. Friction acts at the point of contact if
+ * the law turns spheres, otherwise at the center of the touching sphere. A deposit holds the whole
+ * body. */
 static bool rebound_body(const asp_wall *wall, const asp_particle *particle, const frame *f,
                          vec local, double approach, aspi_stream *stream, vec *spin, vec *out) {
   const asp_body *body = particle->body;

@@ -1,5 +1,5 @@
 /* One contact: draw the face, turn the velocity into its frame, let the rebound law act, turn back,
- * and see to it that the particle leaves the wall or stays on it.
+ * and make sure that the particle leaves the wall or stays on it.
  *
  * Everything happens in the frame (t, b, n) of the mean wall: n its normal, t the direction of
  * flight along it, b = n x t. The particle comes with (v_t, 0, -v_n); a face with slopes p =
@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-/* Smith's Lambda is below 1e-13 above the first, and overflows below the second. */
+/* Smith's Lambda is under 1e-13 for nu above NU_FREE, and overflows for nu below NU_LEAST. */
 #define NU_FREE 5.2
 #define NU_LEAST 1e-150
 
@@ -39,8 +39,7 @@ static void set_direction(frame *f, double angle) {
   f->v_t = 0;
 }
 
-/* At normal impact the direction of flight is drawn uniformly around n; a wall with a lay has one
- * of its own. */
+/* At normal impact the direction of flight is drawn uniformly around n, or is across the lay. */
 static void choose_direction(const aspi_roughness *rough, frame *f, aspi_stream *stream) {
   set_direction(f, aspi_roughness_has_lay(rough) ? 0 : 2 * ASP_PI * aspi_stream_uniform(stream));
   if (aspi_roughness_has_lay(rough))
@@ -49,7 +48,7 @@ static void choose_direction(const aspi_roughness *rough, frame *f, aspi_stream 
 
 /* Local roughness at this incidence: the view of the spread models, and the slopes. */
 typedef struct incidence {
-  aspi_view view;
+  aspi_spread_input view;
   aspi_slopes_along slopes;
 } incidence;
 
@@ -66,14 +65,14 @@ static incidence incidence_at(const aspi_roughness *rough, aspi_heading heading,
     if (!wall->spread->geometry)
       slope *= fabs(rough->shrink - 1) > 0 ? aspi_grazing(a, out.slopes.kappa) : across;
   }
-  out.view = (aspi_view){.slope = slope,
-                         .sigma = atan(slope),
-                         .alpha1 = alpha1,
-                         .d_p = rough->particle->d_p,
-                         .data = wall->data,
-                         .kappa = out.slopes.kappa,
-                         .phi_r = out.slopes.phi_r,
-                         .has_azimuth = aspi_roughness_has_lay(rough)};
+  out.view = (aspi_spread_input){.slope = slope,
+                                 .sigma = atan(slope),
+                                 .alpha1 = alpha1,
+                                 .d_p = rough->particle->d_p,
+                                 .data = wall->data,
+                                 .kappa = out.slopes.kappa,
+                                 .phi_r = out.slopes.phi_r,
+                                 .has_azimuth = aspi_roughness_has_lay(rough)};
   if (out.view.has_azimuth)
     out.view.azimuth = -atan2(heading.sine, heading.cosine);
   return out;
@@ -86,7 +85,7 @@ static face face_at(const asp_wall *wall, const aspi_slopes_along *slopes, doubl
   double sine = sin(delta), cosine = cos(delta);
   if (!wall->isotropic)
     return (face){{-sine, 0, cosine}, delta, 0};
-  double q = wall->draws_q && path
+  double q = wall->has_cross_slope && path
                  ? path->q
                  : slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
          side = q * cosine;
@@ -107,13 +106,13 @@ static vec turned_off(const frame *f, vec v) {
   return v;
 }
 
-/* A velocity that leaves the mean wall in (t, b, n) may, at the last bits of a grazing one, point
- * into it in the lab frame. */
+/* Makes sure that v leaves the wall in the lab frame, too: a grazing one may point into it by its
+ * last bits. */
 static vec leaving(const frame *f, vec v) {
   return clearly_leaves(v, f->n) ? v : turned_off(f, v);
 }
 
-/* Mass that a hit wears off, where the faces count. */
+/* Eroded mass of a hit, if faces count. */
 static double eroded_there(const asp_wall *wall, const asp_particle *particle, const frame *f,
                            vec m) {
   return wall->erosion.tilted ? aspi_hit_erosion(wall, particle, f, m) : 0;
@@ -141,7 +140,7 @@ static void bounce_off_mean_wall(const asp_wall *wall, const asp_particle *parti
 }
 
 /* A particle on its way over a rough wall, from its first hit to its last. */
-typedef struct flight {
+typedef struct passage {
   const aspi_roughness *rough;
   aspi_heading heading;
   incidence now;
@@ -150,7 +149,7 @@ typedef struct flight {
   double depth;        /* of the particle, see walk_escapes */
   double before, step; /* the depth before the last step, and how far that went */
   const aspi_ratios *ratios;
-} flight;
+} passage;
 
 /* Smith's Lambda of a Gaussian wall for a flight at slope nu sqrt(2) s_eff over the mean wall. */
 static double smith(double nu) {
@@ -175,7 +174,7 @@ static double exponential(aspi_stream *stream) {
  * number over 1 + Lambda to the depth, a flight up subtracts one over Lambda; the particle escapes
  * when nothing is left. `rise` is the slope of its flight, `slope` the rms slope of the wall along
  * it. */
-static bool walk_escapes(flight *fly, double rise, double slope) {
+static bool walk_escapes(passage *fly, double rise, double slope) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope));
   fly->before = fly->depth;
   if (rise > 0 && !(lambda > 0))
@@ -199,7 +198,7 @@ static bool walk_escapes(flight *fly, double rise, double slope) {
  * the density is divided by the share of the others; most models have none of these. */
 static double log_face(const asp_wall *wall, const incidence *at, const face *on) {
   const asp_spread_model *model =
-      at->view.alpha1 < 0 && !wall->spread->upward ? wall->upward : wall->spread;
+      at->view.alpha1 < 0 && !wall->spread->covers_rising ? wall->rising : wall->spread;
   double tilt = log(model->density(&at->view, on->delta)) -
                 log1p(-model->distribution(&at->view, -at->view.alpha1));
   if (!wall->isotropic)
@@ -210,7 +209,7 @@ static double log_face(const asp_wall *wall, const incidence *at, const face *on
 
 /* Log density of the last draws of walk_escapes; for an escape after the first hit the probability
  * of escape, integrated over the depth. */
-static double log_walk(const flight *fly, const incidence *at, double rise, double slope,
+static double log_walk(const passage *fly, const incidence *at, double rise, double slope,
                        bool first, bool escaped) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope)), sum = 0;
   double fall = first ? 1 + smith(tan(at->view.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
@@ -226,7 +225,7 @@ static double log_walk(const flight *fly, const incidence *at, double rise, doub
 
 /* Adds the ratios of a hit: of its face, and of the flight that follows with the velocity `out`, in
  * (t, b, n); NULL for a deposit. */
-static void add_ratios(const asp_wall *wall, const flight *fly, const frame *now, const face *on,
+static void add_ratios(const asp_wall *wall, const passage *fly, const frame *now, const face *on,
                        bool first, const vec *out, bool escaped) {
   const aspi_ratios *ratios = fly->ratios;
   for (size_t k = 0; ratios && k < ratios->n; k++) {
@@ -245,7 +244,7 @@ static void add_ratios(const asp_wall *wall, const flight *fly, const frame *now
 }
 
 /* True if the particle escapes with the velocity `out` that a face has given it, in (t, b, n). */
-static bool escapes(const asp_wall *wall, flight *fly, vec out) {
+static bool escapes(const asp_wall *wall, passage *fly, vec out) {
   if (wall->follow)
     return false;
   double along = hypot(out.x, out.y);
@@ -260,7 +259,7 @@ static bool escapes(const asp_wall *wall, flight *fly, vec out) {
 
 /* The tilt of the next face; *gone when the model follows the particle over a profile, and it has
  * left. */
-static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, double *delta,
+static bool next_tilt(const asp_wall *wall, const passage *fly, aspi_path *path, double *delta,
                       bool *gone) {
   const asp_spread_model *model = wall->spread;
   *gone = false;
@@ -269,73 +268,84 @@ static bool next_tilt(const asp_wall *wall, const flight *fly, aspi_path *path, 
     *gone = !drawn;
     return drawn;
   }
-  bool borrows = fly->now.view.alpha1 < 0 && !model->upward;
-  return aspi_spread_draw(borrows ? wall->upward : model, &fly->now.view, fly->stream, delta);
+  bool borrows = fly->now.view.alpha1 < 0 && !model->covers_rising;
+  return aspi_spread_draw(borrows ? wall->rising : model, &fly->now.view, fly->stream, delta);
 }
 
-/* Hit after hit, until the particle leaves; `now` is at first the frame of v1. Of single hits, a
- * face that would send the particle into the wall is drawn again. */
+/* Turns the flight to the next face, after a hit that gave the velocity v2: `local` in (t, b, n).
+ */
+static void turn_flight(const aspi_roughness *rough, vec v2, vec local, frame *now, passage *fly,
+                        aspi_path *path) {
+  frame next = frame_of(v2, now->n);
+  if (has_direction(&next) && dot(next.along, now->along) < 0)
+    path->back = !path->back;
+  path->turn = atan2(local.y, local.x);
+  *now = next;
+  if (!has_direction(now))
+    choose_direction(rough, now, fly->stream);
+  fly->heading = aspi_heading_of(rough, now);
+  fly->now = incidence_at(rough, fly->heading, impact_angle(now), false);
+}
+
+/* A hit on a face; false: the particle cannot hit it, or a single hit would send it into the wall.
+ */
+static bool hit_face(const asp_wall *wall, const asp_particle *particle, const frame *now,
+                     const face *on, aspi_stream *stream, vec *spin, vec *local,
+                     asp_impact *impact) {
+  vec turned = *spin;
+  bool deposit;
+  if (!aspi_hit_rebound(wall, particle, now, on->m, !wall->isotropic, stream, &turned, local,
+                        &deposit) ||
+      !(wall->multiple || deposit || local->z > 0))
+    return false;
+  *spin = turned;
+  impact->eroded += eroded_there(wall, particle, now, on->m);
+  impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
+  return true;
+}
+
+/* Hit after hit until the particle leaves. `now` is the frame of v1 at first. */
 static void bounce_on(const aspi_roughness *rough, vec v1, frame *now, aspi_stream *stream,
                       const aspi_ratios *ratios, asp_impact *impact) {
   const asp_wall *wall = rough->wall;
   const asp_particle *particle = rough->particle;
-  flight fly = {
+  passage fly = {
       .rough = rough, .heading = aspi_heading_of(rough, now), .stream = stream, .ratios = ratios};
   fly.now = incidence_at(rough, fly.heading, impact_angle(now), true);
   aspi_path path = {0};
-  vec v2 = {0, 0, 0}, spin = load(particle->omega);
+  vec v2 = {0, 0, 0}, spin = load(particle->omega), local;
+  bool ends = false, gone = false, stuck = false;
   impact->hits = 0;
-  for (int i = 0; i < ASP_HITS_MAX; i++) {
+  for (int i = 0; i < ASP_HITS_MAX && !ends; i++) {
     double delta;
-    vec local;
-    bool deposit, gone;
-    if (!next_tilt(wall, &fly, &path, &delta, &gone)) {
-      if (!gone)
-        continue;
-      if (impact->hits == 0) /* it does not even approach */
-        bounce_off_mean_wall(wall, particle, now, stream, impact);
-      else
-        store(leaving(now, v2), impact->v2);
-      if (impact->hits > 0)
-        store(spin, impact->omega);
-      return;
-    }
-    face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
-    vec turned = spin;
-    if (!aspi_hit_rebound(wall, particle, now, on.m, !wall->isotropic, stream, &turned, &local,
-                          &deposit) ||
-        !(wall->multiple || deposit || local.z > 0))
+    bool drawn = next_tilt(wall, &fly, &path, &delta, &gone), first = impact->hits == 0;
+    ends = gone;
+    if (!drawn)
       continue;
-    spin = turned;
-    bool first = impact->hits++ == 0;
+    face on = face_at(wall, &fly.now.slopes, delta, &path, stream);
+    if (!hit_face(wall, particle, now, &on, stream, &spin, &local, impact))
+      continue;
+    impact->hits++;
     if (first) {
       impact->delta_alpha = delta;
       impact->tilt_out = tilt_out(wall, &on);
     }
-    impact->eroded += eroded_there(wall, particle, now, on.m);
     v2 = to_lab(now, local);
-    impact->outcome = deposit ? ASP_DEPOSIT : ASP_REBOUND;
-    bool ends = deposit || !wall->multiple || escapes(wall, &fly, local);
-    add_ratios(wall, &fly, now, &on, first, deposit ? NULL : &local, ends);
-    if (ends) {
-      store(deposit ? v2 : leaving(now, v2), impact->v2);
-      store(spin, impact->omega);
-      return;
-    }
-    frame next = frame_of(v2, now->n);
-    if (has_direction(&next) && dot(next.along, now->along) < 0)
-      path.back = !path.back;
-    path.turn = atan2(local.y, local.x);
+    stuck = impact->outcome == ASP_DEPOSIT;
+    ends = stuck || !wall->multiple || escapes(wall, &fly, local);
+    add_ratios(wall, &fly, now, &on, first, stuck ? NULL : &local, ends);
     path.q = on.q;
-    *now = next;
-    if (!has_direction(now))
-      choose_direction(rough, now, stream);
-    fly.heading = aspi_heading_of(rough, now);
-    fly.now = incidence_at(rough, fly.heading, impact_angle(now), false);
+    if (!ends)
+      turn_flight(rough, v2, local, now, &fly, &path);
   }
-  frame first = frame_of(v1, now->n);
-  impact->capped = true;
-  bounce_off_mean_wall(wall, particle, &first, stream, impact);
+  if (ends && impact->hits > 0) {
+    store(stuck ? v2 : leaving(now, v2), impact->v2);
+    store(spin, impact->omega);
+    return;
+  }
+  frame in = gone ? *now : frame_of(v1, now->n); /* gone: it does not even approach */
+  impact->capped = !gone;
+  bounce_off_mean_wall(wall, particle, &in, stream, impact);
 }
 
 static void bounce(const asp_wall *wall, bool on_faces, const asp_particle *particle, vec v,
@@ -421,8 +431,8 @@ static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi
   return (1 - along) * (1 - across) < mixed2 * draw * draw;
 }
 
-/* The first-hit law at grazing incidence has smaller slopes than these (aspi_grazing), for it is
- * met by particles that come from afar, over the highest summits.
+/* The first-hit law at grazing incidence has smaller slopes than these (aspi_grazing), because
+ * those particles come from afar, over the highest summits.
  *
  * In a kink the particle comes to the face down that behind it, and hits it with the sum of both
  * slopes. Otherwise it hits a face only if it has left the wall on the crest before, a sine of

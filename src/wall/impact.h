@@ -7,14 +7,14 @@
 #include "wall/frame.h"
 #include "wall/wall.h"
 
-/* The particle with the wall's pair where it has none of its own; its material's constants. */
+/* The particle, with the wall's pair if it has none; its material's constants. */
 static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_particle *particle) {
   asp_particle own = *particle;
   own.pair = own.pair ? own.pair : wall->pair;
   return own;
 }
 
-/* The same with what differs from grain to grain: its own yield stress and adhesion, in *pair. */
+/* The same with the grain's own yield stress and adhesion, in *pair. */
 asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, const asp_key *key,
                            asp_pair *pair);
 
@@ -25,8 +25,8 @@ typedef struct aspi_ratios {
   double *log;
 } aspi_ratios;
 
-/* An impact as asp_wall_impact has it, of a sphere or a body that has its pair, on the wall's faces
- * or, not `rough`, on the mean wall. Adds to the ratios, which may be NULL. */
+/* asp_wall_impact for a sphere or body with its pair, on the wall's faces or, if not `rough`, on
+ * the mean wall. Adds to the ratios, which may be NULL. */
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
                     aspi_stream *stream, const aspi_ratios *ratios, asp_impact *impact);
 

@@ -1,9 +1,9 @@
 /* The roughness that a particle of one size meets along one direction of flight: rms slopes along
  * and across the flight, and their correlation. The heights are Gaussian with the autocovariance
  * r_q^2 exp(-x^2/lambda_1^2 - y^2/lambda_2^2), x across the lay and y along it. A particle in
- * straight flight along t stays in one plane, so its first hit is that on a profile with the lambda
- * of that direction; and for every autocovariance of elliptic contours the cross slope q is beta p
- * plus a normal number that does not depend on the profile (derived for this project).
+ * straight flight along t stays in one plane, so its first hit is a first hit on a profile with
+ * that direction's lambda; and for every autocovariance of elliptic contours the cross slope q is
+ * beta p plus a normal number that does not depend on the profile (derived for this project).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_WALL_ROUGHNESS_H

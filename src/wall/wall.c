@@ -13,7 +13,7 @@
 void aspi_wall_choose_law(aspi_wall_choice *choice, const asp_rebound_law *law) {
   choice->law = law;
   for (int i = 0; i < law->n_parameters; i++)
-    choice->parameters[i] = law->parameters[i].fallback;
+    choice->parameters[i] = law->parameters[i].default_value;
 }
 
 aspi_wall_choice aspi_wall_choice_smooth(void) {
@@ -43,7 +43,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   *data = NULL;
   if (!choice->surface || !choice->spread->prepare)
     return ASP_OK;
-  const aspi_relief of = {choice->surface, choice->heights, choice->isotropic};
+  const aspi_height_field of = {choice->surface, choice->heights, choice->isotropic};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
   asp_error wrong = {ASP_OK, ""};
@@ -93,7 +93,7 @@ static asp_code copy_parts(asp_wall *wall, const aspi_wall_choice *choice, asp_e
 static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {
   const asp_spread_model *spread = choice->spread;
   wall->spread = spread;
-  wall->upward = asp_spread_find("visible", NULL);
+  wall->rising = asp_spread_find("visible", NULL);
   asp_code code = check(choice, error);
   if (!code)
     code = copy_parts(wall, choice, error);
@@ -101,8 +101,8 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
     code = make_data(choice, &wall->data, error);
   wall->rough = is_rough(choice);
   wall->follow = wall->data ? spread->follow : NULL;
-  wall->draws_q = wall->data && choice->heights && choice->heights->rows > 1;
-  wall->isotropic = choice->isotropic || wall->draws_q;
+  wall->has_cross_slope = wall->data && choice->heights && choice->heights->rows > 1;
+  wall->isotropic = choice->isotropic || wall->has_cross_slope;
   wall->multiple = choice->multiple || spread->escape || spread->follow;
   aspi_wall_take_law(wall, choice);
   return code;

@@ -10,7 +10,7 @@
 #include "rebound/removal.h"
 #include "spread/models.h"
 
-/* The parts of a wall; all of it stays the caller's. */
+/* The parts of a wall. The caller keeps ownership. */
 typedef struct aspi_wall_choice {
   const asp_surface *surface; /* NULL: smooth */
   const asp_heights *heights; /* NULL: a profile is generated where the model needs one */
@@ -20,16 +20,16 @@ typedef struct aspi_wall_choice {
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   const aspi_cor_table *table;
-  const asp_pair *pair; /* for particles without one of their own; may be NULL */
+  const asp_pair *pair; /* for particles without a pair; may be NULL */
   bool deposit;
-  bool scatter_twice; /* allows a law with a scatter of its own on a rough wall */
+  bool scatter_twice; /* allows a law that draws scatter on a rough wall */
   aspi_flow flow;     /* takes away what sticks */
   aspi_erosion erosion;
   double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
   double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */
 } aspi_wall_choice;
 
-/* Where the wall was measured: what is doubtful about the file, and how the points lie. */
+/* A measured wall: doubts about its file, and its points. */
 typedef struct aspi_wall_heights {
   asp_error doubt;
   double spacing, length, lambda; /* the widest, the shortest, the longest; spacing 0: no points */
@@ -40,10 +40,11 @@ struct asp_wall {
   aspi_cor_table *table; /* alike */
   asp_pair *pair;        /* alike */
   const asp_spread_model *spread;
-  const asp_spread_model *upward; /* for particles that fly up, where `spread` has no law */
+  const asp_spread_model *rising; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
-  bool (*follow)(const aspi_view *view, aspi_stream *stream, aspi_path *path, double *delta);
-  bool draws_q; /* the model draws the slope across the flight, too */
+  bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+                 double *delta);
+  bool has_cross_slope; /* the model draws the slope across the flight, too */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   bool rough; /* false: smooth, and nothing is drawn */
@@ -54,7 +55,7 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever, scatter;
-  bool varies; /* grains have a yield stress or an adhesion of their own */
+  bool varies; /* each grain has its own yield stress or adhesion */
   aspi_wall_heights heights;
 };
 
@@ -67,7 +68,7 @@ void aspi_wall_choose_law(aspi_wall_choice *choice, const asp_rebound_law *law);
 /* Checks a choice and makes its wall; NULL on error. */
 asp_wall *aspi_wall_create(const aspi_wall_choice *choice, asp_error *error);
 
-/* Puts another wall, which it frees, in its place. */
+/* Replaces the wall by another one, whose struct is freed. */
 void aspi_wall_replace(asp_wall *wall, asp_wall *by);
 
 /* Replaces the law, deposit and erosion settings; keeps the surface and its tables. */

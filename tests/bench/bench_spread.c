@@ -30,7 +30,7 @@ typedef struct inputs {
 typedef struct sampler {
   const asp_spread_model *model;
   const inputs *in;
-  aspi_view view;
+  aspi_spread_input view;
   bool one_angle; /* that of the view; otherwise those of the inputs */
   const bench_pinv *pinv;
   size_t at;  /* the next input */
@@ -174,7 +174,7 @@ static void prepare(inputs *in, void *data[MODELS_MAX]) {
   aspi_sizes sizes = {0.05, 0.5, 16};
   asp_heights *profile =
       aspi_profile_generate(tan(in->sigma) / sqrt(2), 1, 1 / 128., 1 << 16, 1, NULL);
-  const aspi_relief of = {.heights = profile};
+  const aspi_height_field of = {.heights = profile};
   for (int i = 0; i < asp_spread_count(); i++) {
     const asp_spread_model *model = asp_spread_at(i);
     data[i] = profile && model->prepare ? model->prepare(&of, &sizes, NULL) : NULL;
@@ -191,7 +191,7 @@ static void release(void *data[MODELS_MAX]) {
 }
 
 static sampler sampler_at(const inputs *in, int model, void *const *data) {
-  aspi_view view = aspi_view_of(in->sigma, in->sigma);
+  aspi_spread_input view = aspi_spread_input_of(in->sigma, in->sigma);
   view.d_p = 0.1;
   view.data = data[model];
   return (sampler){.model = asp_spread_at(model), .in = in, .view = view};

@@ -106,7 +106,7 @@ static void compare_first_hits(void) {
 
 static void set_ups(void *context, size_t n) {
   const asp_spread_model *model = asp_spread_find("traced", NULL);
-  const aspi_relief of = {.heights = context};
+  const aspi_height_field of = {.heights = context};
   aspi_sizes sizes = {0.1, 1, 16};
   for (size_t i = 0; i < n; i++) {
     void *data = model->prepare(&of, &sizes, NULL);

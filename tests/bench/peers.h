@@ -31,7 +31,7 @@ void bench_std_uniform(void *nothing, size_t n);
  * of a model for one wall and one impact angle; error in u at most 1e-10. NULL when the set-up
  * fails. */
 typedef struct unur_gen bench_pinv;
-bench_pinv *bench_pinv_create(const asp_spread_model *model, const aspi_view *view);
+bench_pinv *bench_pinv_create(const asp_spread_model *model, const aspi_spread_input *view);
 void bench_pinv_free(bench_pinv *pinv);
 double bench_pinv_quantile(const bench_pinv *pinv, double u);
 

@@ -7,7 +7,7 @@
 
 typedef struct law {
   const asp_spread_model *model;
-  aspi_view view;
+  aspi_spread_input view;
 } law;
 
 static double density(double delta, const UNUR_DISTR *distribution) {
@@ -16,7 +16,7 @@ static double density(double delta, const UNUR_DISTR *distribution) {
 }
 
 /* The density is asked for during the set-up only. */
-bench_pinv *bench_pinv_create(const asp_spread_model *model, const aspi_view *view) {
+bench_pinv *bench_pinv_create(const asp_spread_model *model, const aspi_spread_input *view) {
   law l = {model, *view};
   UNUR_DISTR *distribution = unur_distr_cont_new();
   unur_distr_set_extobj(distribution, &l);

@@ -125,8 +125,8 @@ done
 refuses 2 "no number of the description is 'fit'" "surface sigma fit" -- calibrate data $ard
 refuses 2 "'materials' is missing" "materials quartz" -- calibrate data surface sigma fit friction fit
 refuses 2 "spread is 'traced'" "visible" -- calibrate data surface sigma fit spread traced $ard
-refuses 2 "yield_rate is 'fit'" "fit=VALUE" "Pa/(m/s)" -- calibrate data rebound bons yield_rate fit $ard
-refuses 2 "DATA is expected" -- calibrate --dp 5um
+refuses 2 "give a start for yield_rate: fit=VALUE" "fit=VALUE" "Pa/(m/s)" -- calibrate data rebound bons yield_rate fit $ard
+refuses 2 "calibrate DATA WALL" -- calibrate --dp 5um
 refuses 2 "not expected behind an option" -- calibrate data --dp 5um surface sigma fit
 refuses 2 "--noise is '1,2,3,4'" -- calibrate data surface sigma fit $ard --noise 1,2,3,4
 printf 'alpha1_deg,cor_n_mean\n30,0.5\n' > one

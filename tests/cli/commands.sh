@@ -99,7 +99,7 @@ refuses 2 "needs a value" -- spread --dp
 refuses 2 "--dp LENGTH is missing" -- spread surface rq 5um lambda_c 40um
 refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 --speed 0
 refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
-refuses 2 "--dp is '5' without a unit" "5um" -- cor --dp 5,10um
+refuses 2 "--dp is '5', i.e. 5 m; did you mean 5um?" -- cor --dp 5,10um
 refuses 2 "'--pdf' takes no value" -- spread surface sigma 5 --pdf=3
 refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5
 refuses 2 "min < median < max" "from:to:step" -- cor --dp lognormal:1um:10um:100um
@@ -157,7 +157,7 @@ angles=$(awk 'BEGIN { srand(3); for (i = 0; i < 3000; i++) printf "%s%s", i ? ",
 [ "$(rows <("$asperity" cor --speed 0.1km/s --angles 30deg --dp 1e4nm --samples 1))" = "$(rows <("$asperity" cor --angles 30 --samples 1))" ] || die "units behind numbers"
 # Constants that look like a mistake.
 "$asperity" cor yield_stress 2e10 --samples 1 --angles 45 2>&1 > /dev/null | grep -q 'warning: the yield stress' || die "cor: a yield stress over a tenth of the modulus"
-"$asperity" cor surface_energy 1e3 --samples 1 --angles 45 2>&1 > /dev/null | grep -q 'warning: every impact .* sticks' || die "cor: everything sticks"
+"$asperity" cor surface_energy 1e3 --samples 1 --angles 45 2>&1 > /dev/null | grep -q 'warning: particles up to .* always stick' || die "cor: everything sticks"
 
 # One color for each model and for each law, and titles that fit.
 look=$root/examples/look.gp

@@ -45,5 +45,5 @@ refuses 2 "'erosion LAW' is expected" -- erosion ledger materials quartz steel
 refuses 2 "'surface' has no effect" -- erosion ledger surface sigma 5 erosion dnv density 7800 --density 2500
 refuses 2 "--density has no effect" -- erosion many --density 2500
 refuses 2 "LEDGER is expected" -- erosion
-refuses 2 "oka is '1.8' without a unit" "1.8GPa" -- erosion ledger erosion oka 1.8
+refuses 2 "oka is '1.8', i.e. 1.8 Pa; did you mean 1.8GPa?" -- erosion ledger erosion oka 1.8
 refuses 2 "which is read" -- erosion many -o many

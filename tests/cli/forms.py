@@ -119,7 +119,7 @@ refused("valid_column_gaps", "profile", "x_um,z_um,valid\n" + valid, "79: the fi
 check("depths", "profile", table("x_um,depth_um\n", plain))
 refused("no_unit", "profile", table("", plain), "no unit of length is stated of column 1")
 refused("no_step", "profile", table("z_um\n", heights), "heights alone of a profile need the step")
-refused("torn", "profile", table("x_um,z_um\n", plain, end="12,3.4.5\n"), "502: '12,3.4.5' where numbers are expected")
+refused("torn", "profile", table("x_um,z_um\n", plain, end="12,3.4.5\n"), "502: '12,3.4.5' is not a number")
 refused("matrix_as_profile", "profile", matrix("# Width: 96 µm\n# Height: 80 µm\n# Value units: um\n"), "is a map (surface map)")
 
 # ---- maps ----

@@ -31,7 +31,7 @@ fi
 touch myfile.csv
 source "$root/src/cli/asperity.bash"
 complete_words() { COMP_LINE="$asperity $*"; COMP_POINT=${#COMP_LINE}; _asperity; }
-complete_words help wal; [ "${COMPREPLY[*]}" = wall ] || die "completes help wall: ${COMPREPLY[*]}"
+complete_words help wall; [ "${COMPREPLY[*]}" = wall ] || die "completes help wall: ${COMPREPLY[*]}"
 complete_words tra; [ "${COMPREPLY[*]}" = trade ] || die "completes commands: ${COMPREPLY[*]}"
 complete_words cor --sam; [ "${COMPREPLY[*]}" = --samples ] || die "completes options: ${COMPREPLY[*]}"
 complete_words cor materials ard hast; [ "${COMPREPLY[*]}" = hastelloy-x ] || die "completes materials: ${COMPREPLY[*]}"
@@ -70,6 +70,13 @@ for word in surface spread rebound materials friction surface_energy yield_stres
   grep -q "^ *$word " wall || die "help wall: $word"
 done
 for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done
+grep -q 'COR_N (0 to 1): [^[]*$' wall || die "help wall: a number that must be given shows a default"
+for word in bons visible sigma oka; do
+  "$asperity" help $word > text || die "help $word"
+  grep -q "^  $word" text && [ "$(wc -l < text)" -lt 20 ] || die "help $word: $(cat text)"
+done
+grep -q 'HARDNESS (0 to inf stress)' text || die "help oka: its parameters"
+complete_words help tho; [ "${COMPREPLY[*]}" = thornton_ning ] || die "completes help of a law: ${COMPREPLY[*]}"
 # At most fifteen options, besides --help.
 for command in surface spread cor trade; do [ "$(options_of $command | grep -vc '^--help$')" -le 15 ] || die "$command has too many options"; done
 

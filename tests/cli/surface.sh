@@ -49,7 +49,7 @@ awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0
 awk 'BEGIN { srand(4); print "n,a,b"; for (i = 0; i < 900; i++) print i "," 0.5 * i "," (i == 70 ? -9999 : rand()) }' > lettered.csv
 refuses 2 "asperity surface --x-column 1 --column 2" -- surface surface profile lettered.csv --unit um
 sed 's/n,a,b/n,x_um,z_um/' lettered.csv > marked.csv
-refuses 2 "marked.csv:72: height -9999, 1 times, " "asperity surface --missing -9999" -- surface surface profile marked.csv
+refuses 2 "marked.csv:72: height -9999 beside heights of" "asperity surface --missing -9999" -- surface surface profile marked.csv
 "$asperity" surface surface profile lettered.csv --unit um --x-column a --column 3 --missing -9999 --gaps fill --filter 'lambda_s 9um' --dp 20um 2> err |
   grep -q '900 points read, 1 bad, of columns 2 and 3, 1 points filled in' || die "--x-column --column --missing: $(cat err)"
 "$asperity" surface surface profile map.sdf --dp 4um --row 7 2>&1 | grep -q '200 points; ' || die "--row"
@@ -116,9 +116,9 @@ refuses 2 "'friction' has no effect" -- surface surface rq 5um lambda_c 40um fri
 refuses 2 --gaps bend refuse fill -- surface surface profile profile.csv --gaps bend
 refuses 2 --form 12 '0 to 9' -- surface surface profile profile.csv --form 12
 refuses 2 --points 100 4096 -- surface surface rq 5um lambda_c 40um --points 100
-refuses 2 --dp 'reaches to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
+refuses 2 --dp 'valid up to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
 "$asperity" spread surface rq 20um lambda_c 40um --dp 2mm --angles 20 -o x 2> err && die "spread beyond the table"
-grep -q -- '--dp: .* reaches to' err || die "spread beyond the table: $(cat err)"
+grep -q -- '--dp: .* valid up to' err || die "spread beyond the table: $(cat err)"
 refuses 2 --dp 0.1um 0.5um -- surface surface profile waves.csv --dp 0.1um
 refuses 2 d_p "profile's length" -- surface surface profile waves.csv --dp 1m
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"

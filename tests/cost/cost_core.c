@@ -77,12 +77,12 @@ static void count_models(void) {
 
 /* ---- a draw ---- */
 
-static void count_draws(const asp_spread_model *model, const aspi_relief *of) {
+static void count_draws(const asp_spread_model *model, const aspi_height_field *of) {
   asp_error error;
   const aspi_sizes sizes = {D_P, D_P, 1};
   void *data = model->prepare ? model->prepare(of, &sizes, &error) : NULL;
   check(data || !model->prepare, &error);
-  aspi_view view = aspi_view_of(atan(asp_surface_slope(of->surface, D_P)), 0);
+  aspi_spread_input view = aspi_spread_input_of(atan(asp_surface_slope(of->surface, D_P)), 0);
   view.d_p = D_P;
   view.kappa = asp_surface_kappa(of->surface, D_P);
   view.data = data;
@@ -174,7 +174,7 @@ int main(void) {
   count_contacts("contact, none", "rebound constant 1 1", NULL, CONTACTS_OF_MODEL);
   count_models();
   for (int i = 1; i < asp_spread_count(); i++) /* behind `none` */
-    count_draws(asp_spread_at(i), &(aspi_relief){surface, NULL, false});
+    count_draws(asp_spread_at(i), &(aspi_height_field){surface, NULL, false});
   count_profile();
   count_parses();
 

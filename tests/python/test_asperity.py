@@ -156,9 +156,9 @@ class Walls(unittest.TestCase):
 
     def test_bad_input(self):
         self.refused("'surfcae'.*'surface'", asperity.Wall, "surfcae smooth")
-        self.refused("behind 'surface rq'", asperity.Wall, "surface rq 5um")
+        self.refused("'surface rq R' needs a length", asperity.Wall, "surface rq 5um")
         self.refused("cannot open 'no.csv'", asperity.Wall, f"surface profile no.csv {PAIR}", 1e-5)
-        self.refused("materials has 0 names.*'materials quartz", asperity.Wall, "surface rq 5um lambda_c 40um")
+        self.refused("materials needs two names .*'materials quartz", asperity.Wall, "surface rq 5um lambda_c 40um")
         self.refused("has no yield stress; say", asperity.Wall, "materials hastelloy-x quartz")
         self.refused("d_p is .*-1", asperity.Wall, PAIR, (-1, 1e-5))
         self.refused("alpha1 of impact 1 is 45; it must be > 0 and <= pi/2", asperity.velocities, 100, (1, 45))
@@ -176,7 +176,7 @@ class Walls(unittest.TestCase):
                                    (r"impact of impact 0 is -1", (0, 0, -1), {"impact": -1}),
                                    (r"seed of impact 0 is 4.*e\+09", (0, 0, -1), {"seed": 1 << 32}),
                                    (r"d_p of impact 0 is inf", (0, 0, -1), {"d_p": np.inf}),
-                                   (r"d_p is 20; the size law", (0, 0, -1), {"d_p": 20}),
+                                   (r"d_p is 20; this wall's size law", (0, 0, -1), {"d_p": 20}),
                                    (r"temperature of impact 0 is nan", (0, 0, -1), {"temperature": np.nan}),
                                    (r"u_tau of impact 0 is -1; it must be >= 0", (0, 0, -1), {"u_tau": -1}),
                                    (r"lay of impact 0 is nan", (0, 0, -1), {"lay": (np.nan, 0, 0)}),
@@ -193,7 +193,7 @@ class Walls(unittest.TestCase):
             asperity.Wall(f"surface rq 5 lambda_c 40 {PAIR}", 1e-5)
         with self.assertWarnsRegex(UserWarning, "rq is 5, which is 5 m"):
             asperity.Wall(f"surface rq 5 lambda_c 40 {PAIR}")
-        with self.assertWarnsRegex(UserWarning, "every impact .* sticks"):
+        with self.assertWarnsRegex(UserWarning, "always stick"):
             asperity.Wall(f"surface_energy 1000 {PAIR}", 1e-6)
         with self.assertWarnsRegex(UserWarning, "covers 2 points"):
             asperity.Wall(f"surface profile mine {PAIR}", 2e-6, **self.heights())
@@ -207,7 +207,7 @@ class Walls(unittest.TestCase):
                 warnings.simplefilter("always")
                 wall.impacts(np.tile((0., 0., -1.), (2, 1)), (1e-5, 2e-3))
             self.assertEqual(len(caught), found)
-        self.refused("d_p is 20; the size law", asperity.Wall, f"surface rq 5um lambda_c 40um {PAIR}", 20)
+        self.refused("d_p is 20; this wall's size law", asperity.Wall, f"surface rq 5um lambda_c 40um {PAIR}", 20)
 
     def test_copies_are_the_same_wall(self):
         """By copy, pickle and in another process, after the first one is gone."""

@@ -27,12 +27,12 @@ static void verdict(bool good, const char *what) {
 static double tilt_off(const aspi_judge_case *subject, const aspi_first_hits *first, double degrees,
                        const asp_wall *wall) {
   double slope = asp_surface_slope(wall->surface, subject->d_p), sum = 0;
-  aspi_view view = {.slope = slope,
-                    .sigma = atan(slope),
-                    .alpha1 = aspi_radians(degrees),
-                    .d_p = subject->d_p,
-                    .phi_r = asp_surface_phi_r(wall->surface),
-                    .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
+  aspi_spread_input view = {.slope = slope,
+                            .sigma = atan(slope),
+                            .alpha1 = aspi_radians(degrees),
+                            .d_p = subject->d_p,
+                            .phi_r = asp_surface_phi_r(wall->surface),
+                            .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
   for (int i = 0; i < 4000; i++)
     sum += wall->spread->quantile(&view, (i + 0.5) / 4000) / 4000;
   return (sum - first->mean) / atan(slope);
@@ -47,13 +47,13 @@ static void must(asp_code code) {
 }
 
 /* The divergence of a model; the means of both into `mean`. */
-static aspi_estimate compare(const aspi_judge_case *subject, const aspi_judge *judge,
-                             const asp_wall *model, double degrees, size_t k, double mean[2]) {
+static aspi_mean_error compare(const aspi_judge_case *subject, const aspi_judge *judge,
+                               const asp_wall *model, double degrees, size_t k, double mean[2]) {
   size_t groups = subject->groups;
   aspi_angles *angles = aspi_judge_model_rebounds(subject, model, degrees);
   aspi_angle_groups own = {angles, groups, 1};
   size_t rebound = offsetof(aspi_angles, rebound), sum = offsetof(aspi_angles, rebound_sum);
-  aspi_estimate d = aspi_judge_divergence(judge, k, angles, groups, rebound);
+  aspi_mean_error d = aspi_judge_divergence(judge, k, angles, groups, rebound);
   mean[0] = aspi_angles_mean(own, sum).value;
   mean[1] = aspi_angles_mean(aspi_judge_groups(judge, k), sum).value;
   free(angles);
@@ -74,7 +74,7 @@ static void judge_wall(aspi_judge_case subject, const double *angles, size_t n,
     for (size_t k = 0; k < n; k++) {
       char text[200];
       double mean[2];
-      aspi_estimate d = compare(&subject, &judge, model, angles[k], k, mean);
+      aspi_mean_error d = compare(&subject, &judge, model, angles[k], k, mean);
       snprintf(text, sizeof text,
                "%s on (%g, %g, %g), alpha1 %g: D_KL %.5f +- %.5f, alpha2 %.3f, ensemble %.3f",
                names[m], subject.r_q, subject.lambda_c, subject.d_p, angles[k], d.value, d.se,

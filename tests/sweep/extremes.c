@@ -79,7 +79,7 @@ static _Thread_local double u_forced;
 static _Thread_local const asp_spread_model *behind;
 static _Thread_local const combination *at_work;
 
-static double forced_quantile(const aspi_view *view, double u) {
+static double forced_quantile(const aspi_spread_input *view, double u) {
   (void)u;
   return behind->quantile(view, u_forced);
 }
@@ -134,8 +134,8 @@ static void choose_law(aspi_stream *s, asp_wall *wall) {
   wall->law = asp_rebound_at(which);
   wall->table = table;
   for (int i = 0; i < wall->law->n_parameters; i++) {
-    const asp_parameter *p = &wall->law->parameters[i];
-    wall->parameters[i] = p->fallback;
+    const aspi_keyword *p = &wall->law->parameters[i];
+    wall->parameters[i] = p->default_value;
     if (one_of(s, 4) == 0)
       wall->parameters[i] = isfinite(p->most) ? between(s, p->least, p->most) : or_zero(s, 0, 12);
   }

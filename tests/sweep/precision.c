@@ -156,7 +156,7 @@ static void choose_friction(aspi_stream *s, const double *p, asp_pair *pair, con
 
 static void choose_parameters(aspi_stream *s, const asp_rebound_law *law, double *p) {
   for (int k = 0; k < law->n_parameters; k++)
-    p[k] = law->parameters[k].fallback;
+    p[k] = law->parameters[k].default_value;
   if (aspi_stream_uniform(s) < 0.3)
     p[0] = power_of_ten(s, 0, 10);
   if (aspi_stream_uniform(s) < 0.3)

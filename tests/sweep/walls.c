@@ -133,12 +133,12 @@ static int failures;
 /* A row; of the later hits, how far their share is off. */
 static void tell(const char *what, double alpha1, const aspi_judge *all, size_t i,
                  const aspi_angles *m, bool lateral) {
-  aspi_estimate first = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, tilt));
-  aspi_estimate rebound = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, rebound));
-  aspi_estimate side = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, lateral));
-  aspi_estimate mean =
+  aspi_mean_error first = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, tilt));
+  aspi_mean_error rebound = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, rebound));
+  aspi_mean_error side = aspi_judge_divergence(all, i, m, 1, offsetof(aspi_angles, lateral));
+  aspi_mean_error mean =
       aspi_angles_mean(aspi_judge_groups(all, i), offsetof(aspi_angles, rebound_sum));
-  aspi_estimate later = aspi_angles_mean(aspi_judge_groups(all, i), offsetof(aspi_angles, later));
+  aspi_mean_error later = aspi_angles_mean(aspi_judge_groups(all, i), offsetof(aspi_angles, later));
   printf("%s,%s,%.2f,%g,%.5f,%.5f,%.5f,%.5f,%.3f,%.3f,%.3f,%.5f,%.5f\n", names[kind], what,
          skewness, alpha1, first.value, rebound.value, rebound.se, lateral ? side.value : 0,
          mean.value, mean.se, m->rebound_sum / m->n, later.value, m->later / m->n);

@@ -175,15 +175,15 @@ static const asp_rebound_law *add_law(char *text) {
   const char *last = "";
   bool on = true;
   for (int i = 0; i < law->n_parameters; i++) {
-    const asp_parameter *p = &law->parameters[i];
-    const char *keyword = aspi_parameter_keyword(p);
+    const aspi_keyword *p = &law->parameters[i];
+    const char *keyword = aspi_keyword_word(p);
     if (strcmp(keyword, last) != 0) {
       on = strcmp(keyword, "soften") != 0 || strcmp(last, "temperature") != 0 ? whole(2) : on;
       if (on)
         add(text, " %s", keyword);
     }
     last = keyword;
-    if (p->words && on)
+    if (p->values && on)
       add(text, whole(2) ? " on" : " off");
     else if (on) /* hot enough to be soft */
       add(text, " %.17g",
@@ -307,7 +307,12 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("surface smooth map 100", "'map' has no place here behind 'surface'", "surface map FILE");
   refuses("materials quartz steel collisions multiple", "'collisions' belongs behind 'spread'", "");
   refuses("oka 1.8GPa", "'oka' belongs behind 'erosion': erosion oka", "");
-  refuses("rebound bons walton", "'walton' is unknown", "friction");
+  refuses("rebound bons walton", "rebound takes one law; 'walton' follows 'bons'", "");
+  refuses("spread visible traced", "spread takes one model; 'traced' follows 'visible'", "");
+  refuses("temperature 1200", "'temperature' belongs to 'rebound bons'; put it behind", "");
+  refuses("rebound walton 0.9 0.3 0 spin on", "'spin' belongs to 'rebound bons'", "");
+  refuses("rebound walton 0.9 0.3 0 friction 1 compliance 1", "belongs to 'rebound walton'", "");
+  refuses("materials quartz steel particles sic", "'particles' belongs to 'erosion oka'", "");
 }
 
 static void words_are_given_once(void **state) {
@@ -326,26 +331,27 @@ static void words_are_given_once(void **state) {
 static void bad_values_are_named(void **state) {
   (void)state;
   refuses("surface ra 3.2um rdq 10", "a slope of 84 degrees", "say 10deg?");
-  refuses("surface sq 5um sal 1um", "phi_r", "");
+  refuses("surface sq 5um sal 1um", "at most 1", "");
   refuses("surface rz 30um", "surface is 'rz'", "ra R");
   refuses("surface rq 5um sdq 0.2", "rdq S, rsm L", "");
   refuses("surface sq 5um rsm 0.3mm", "sdq S, sal L", "");
-  refuses("surface ra 5um", "behind 'surface ra'", "rdq");
-  refuses("surface rq 5um", "behind 'surface rq'", "src/wall/from_a_drawing.md");
+  refuses("surface ra 5um", "'surface ra R' needs a length", "rdq");
+  refuses("surface rq 5um", "'surface rq R' needs a length", "src/wall/from_a_drawing.md");
   refuses("surface rq 5um rdq -0.2", "rdq is -0.2", "> 0");
   refuses("surface rq 5um rdq 10um", "rdq is '10um'", "deg rad");
   refuses("surface rq 5um rsm 26um sampling 0.8mm", "rsm is 0.0325 of the sampling length", "rdq");
-  refuses("surface rq 40um lambda_c 5um", "phi_r", "");
+  refuses("surface rq 40um lambda_c 5um", "their ratio 8 must be at most 1", "");
   refuses("surface rq -5um lambda_c 5um", "rq is -5um", "> 0");
   refuses("rebound constant 0.5 1.5", "cor_t is 1.5", "0 to 1");
-  refuses("surface", "surface", "missing");
+  refuses("surface", "surface", "needs a value");
   refuses("surface bumpy", "'bumpy'", "smooth | sigma ANGLE");
   refuses("surface rq 1e-5", "lambda_c L", "");
   refuses("surface rq fine lambda_c 1", "rq is 'fine'", "m cm mm um nm");
   refuses("surface rq 5parsec lambda_c 1", "rq is '5parsec'", "m cm mm um nm");
   refuses("surface rq 0 lambda_c 1", "rq is 0", "> 0");
   refuses("surface rq 1 lambda_c nan", "lambda_c is", "> 0");
-  refuses("surface rq 3 lambda_c 1", "phi_r", "reaches to");
+  refuses("surface rq 3 lambda_c 1", "r_q is 3 and lambda_c 1: their ratio 3 must be at most 1",
+          "");
   refuses("surface sigma 60", "sigma is 60", "0.001 to 54");
   refuses("surface rq 1 lambda_c 10 lay 1 0 0", "'lay' needs two", "");
   refuses("surface sigma 10 lay 3", "'lay' needs two correlation lengths", "lambda_c L L_along");
@@ -361,15 +367,15 @@ static void bad_values_are_named(void **state) {
   refuses("surface profile f dp_bins 0", "dp_bins is 0", "1 to 256");
   refuses("surface rq 1 lambda_c 10 spread weibull collisions many", "'many'", "single | multiple");
   refuses("rebound constant 1.5 1", "cor_n is 1.5", "0 to 1");
-  refuses("rebound constant 1", "cor_t", "missing");
-  refuses("rebound bons contact_area 1 1", "the value of 'c' is missing", "");
+  refuses("rebound constant 1", "cor_t", "needs a value");
+  refuses("rebound bons contact_area 1 1", "'c' needs a value", "");
   refuses("rebound bons contact_area 1 1 11", "c is 11", "0 to 10");
   refuses("rebound bons scatter 1", "'scatter' belongs behind 'yield_stress'", "scatter S");
   refuses("yield_stress 2e8 scatter 0", "scatter is 0", "0 to 2");
   refuses("grain cube", "grain is 'cube'", "sphere | lever S");
   refuses("grain lever 0", "lever is 0", "0 to 0.5");
   refuses("rebound walton 0.9 0.2 0.4 grain lever 0.03", "BETA0 0", "");
-  refuses("rebound bons spin fast", "spin is 'fast'", "off on");
+  refuses("rebound bons spin fast", "spin is 'fast'", "off | on");
   refuses("rebound bons temperature 500F", "'500F'", "K C");
   refuses("rebound table nowhere.csv", "nowhere.csv", "No such file");
   refuses("materials quartz steel file nowhere.csv", "nowhere.csv", "No such file");
@@ -397,7 +403,8 @@ static void what_has_no_effect_is_refused(void **state) {
   refuses("materials quartz steel rebound constant 1 1", "'materials' has no effect", "constant");
   refuses("yield_stress 1e8 rebound bons yield_rate 3e6", "'yield_stress' has no effect",
           "yield_rate");
-  refuses("rebound bons temperature 600", "'temperature' has no effect", "1000 K");
+  refuses("rebound bons temperature 600", "'temperature' has no effect at 600 K",
+          "starts at 1000 K");
   refuses("rebound bons soften 800 0.001 temperature 800", "'temperature' has no effect", "800 K");
   refuses("deposit off remove u_tau 1 gas_density 1 gas_viscosity 1", "'remove' has no effect",
           "deposit off");
@@ -499,10 +506,10 @@ static void pairs_have_defaults(void **state) {
 }
 
 /* All doubts in one text, a line each. */
-static void ask(char text[1500], const asp_question *question) {
+static void ask(char text[1500], const asp_check_input *question) {
   char one[480];
   *text = '\0';
-  for (int i = 0; asp_doubt(question, i, one, sizeof one); i++)
+  for (int i = 0; asp_warning(question, i, one, sizeof one); i++)
     if (*one)
       add(text, "%s\n", one);
 }
@@ -518,7 +525,7 @@ static void doubts(char text[1500], const char *description, double d_p, double 
   asp_material_set(p, "yield_stress", 200e6, NULL);
   asp_pair *pair = asp_description_pair(wall, p, w, NULL);
   asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
-  ask(text, &(asp_question){wall, NULL, 0, &particle, {p, w}});
+  ask(text, &(asp_check_input){wall, NULL, 0, &particle, {p, w}});
   asp_pair_free(pair);
   asp_material_free(p);
   asp_material_free(w);
@@ -538,7 +545,7 @@ static void odd_constants_are_doubted(void **state) {
   doubts(text, "", 20e-6, 2650, 70); /* GPa */
   assert_non_null(strstr(text, "so that nothing yields"));
   doubts(text, "surface_energy 50", 20e-6, 2650, 70e9);
-  assert_non_null(strstr(text, "every impact of particles of diameter 2e-05 m and less sticks"));
+  assert_non_null(strstr(text, "particles up to 2e-05 m always stick"));
   doubts(text, "deposit off", 1e-9, 2650, 70e9);
   assert_string_equal(text, "");
 #define FLOW "deposit freeze remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5 "
@@ -612,7 +619,7 @@ static void odd_numbers_are_doubted(void **state) {
   for (size_t i = 0; i < 2 * sizeof all / sizeof *all; i++) {
     const asp_particle particle = {.d_p = i % 2 ? 10e-6 : 0};
     asp_description *d = parse(all[i / 2][0], &si);
-    ask(text, &(asp_question){d, NULL, 0, &particle, {NULL, NULL}});
+    ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}});
     if (!strstr(text, all[i / 2][1 + i % 2]) || strchr(text, '\n') != strrchr(text, '\n'))
       fail_msg("%s: %s", all[i / 2][0], text);
     asp_description_free(d);
@@ -620,7 +627,7 @@ static void odd_numbers_are_doubted(void **state) {
   const asp_particle particle = {.d_p = 10e-6};
   asp_description *d =
       parse("surface rq 5um lambda_c 40um friction 0.5 erosion oka 1.8GPa density 7800", &si);
-  ask(text, &(asp_question){d, NULL, 0, &particle, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}});
   assert_string_equal(text, "");
   asp_description_free(d);
 }
@@ -633,7 +640,7 @@ static asp_description *parse_fit(const char *text, asp_error *error) {
   const char *words[50];
   int count = 0, taken;
   asp_description *wall = parse("", &si);
-  wall->may_fit = true;
+  wall->fittable = true;
   snprintf(copy, sizeof copy, "%s", text);
   for (char *word = strtok(copy, " "); word; word = strtok(NULL, " "))
     words[count++] = word;
@@ -679,7 +686,7 @@ static void numbers_may_be_unknown(void **state) {
              {"surface rq fit=4lb lambda_c 40um", "rq is '4lb'", "m cm mm um nm"},
              {"surface sigma fit=60", "sigma is 60", "0.001 to 54"},
              {"rebound walton fit=1.5 0.1 0", "e is 1.5", "0 to 1"},
-             {"rebound bons spin fit", "spin is 'fit'", "off on"},
+             {"rebound bons spin fit", "spin is 'fit'", "off | on"},
              {"seed fit", "seed is 'fit'", "number"},
              {"rebound walton fit fit 0 friction fit", "'friction' has no effect", "walton"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -699,11 +706,11 @@ static void unknown_numbers_are_set(void **state) {
   asp_error error;
   asp_description *wall = parse_fit("surface sigma fit rebound walton fit 0.1 0 seed 7", &error);
   assert_non_null(wall);
-  assert_int_equal(wall->n_fits, 2);
+  assert_int_equal(wall->n_fitted, 2);
   assert_int_equal(asp_description_set(wall, "sigma", 12, &error), ASP_OK);
   assert_int_equal(asp_description_set(wall, "e", 0.75, &error), ASP_OK);
   assert_int_equal(asp_description_check(wall, &error), ASP_OK);
-  assert_int_equal(wall->n_fits, 0);
+  assert_int_equal(wall->n_fitted, 0);
   asp_wall *made = asp_wall_create(wall, 0, 0, &error);
   assert_near(asp_surface_slope(asp_wall_surface(made), 1e-5), tan(12 * ASP_PI / 180), 1e-9);
   asp_wall_free(made);
@@ -735,11 +742,11 @@ static void coarse_files_are_doubted(void **state) {
   asp_wall *wall = asp_wall_create(d, 5e-6, 20e-6, NULL);
   const asp_particle largest = {.d_p = 20e-6};
   char text[1500];
-  ask(text, &(asp_question){d, wall, 20e-6, &largest, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, wall, 20e-6, &largest, {NULL, NULL}});
   assert_string_equal(text, "");
-  ask(text, &(asp_question){d, wall, 5e-6, &largest, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, wall, 5e-6, &largest, {NULL, NULL}});
   assert_ptr_equal(strstr(text, "surface profile fine.csv: "), text);
-  ask(text, &(asp_question){d, NULL, 5e-6, &largest, {NULL, NULL}}); /* it is the wall's */
+  ask(text, &(asp_check_input){d, NULL, 5e-6, &largest, {NULL, NULL}}); /* it is the wall's */
   assert_string_equal(text, "");
   asp_wall_free(wall);
   asp_description_free(d);

@@ -427,7 +427,7 @@ static void a_pair_is_needed(void **state) {
   asp_description *words = asp_description_parse("", NULL, NULL);
   assert_null(asp_wall_create(words, 0, 0, &error));
   assert_int_equal(error.code, ASP_EARG);
-  assert_non_null(strstr(error.text, "materials has 0 names"));
+  assert_non_null(strstr(error.text, "materials needs two names (particle, wall), got 0"));
   asp_description_expect_pairs(words);
   asp_wall *wall = asp_wall_create(words, 0, 0, &error);
   asp_description_free(words);

@@ -190,7 +190,7 @@ static aspi_judge judge_of(const surfaces *subject, double degrees) {
   return judge;
 }
 
-static aspi_estimate mean_of(const aspi_judge *judge, size_t sum) {
+static aspi_mean_error mean_of(const aspi_judge *judge, size_t sum) {
   return aspi_angles_mean(aspi_judge_groups(judge, 0), sum);
 }
 
@@ -210,9 +210,9 @@ static void numbers_agree_with_the_independent_reference(void **state) {
                         .seed = 100,
                         .points = c->points};
     aspi_judge all = judge_of(&subject, c->alpha1);
-    aspi_estimate mean = mean_of(&all, offsetof(aspi_angles, rebound_sum));
-    aspi_estimate side = mean_of(&all, offsetof(aspi_angles, lateral_sum));
-    aspi_estimate square = mean_of(&all, offsetof(aspi_angles, lateral_square));
+    aspi_mean_error mean = mean_of(&all, offsetof(aspi_angles, rebound_sum));
+    aspi_mean_error side = mean_of(&all, offsetof(aspi_angles, lateral_sum));
+    aspi_mean_error square = mean_of(&all, offsetof(aspi_angles, lateral_square));
     double error = 4 * hypot(fmax(mean.se, 0.003 * c->rebound), c->rebound_se);
     print_message("axis %g, d_p %g, alpha1 %g: %.3f +- %.3f (%.2f), lateral %.3f, sd %.3f (%.2f)\n",
                   c->axis, c->d_p, c->alpha1, mean.value, mean.se, c->rebound, side.value,
@@ -241,7 +241,7 @@ static void divergences_have_no_bias(void **state) {
   aspi_angles model = {0};
   for (size_t k = 0; k < other.groups; k++)
     aspi_angles_merge(&model, &many.angles[k]);
-  aspi_estimate d = aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, rebound));
+  aspi_mean_error d = aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, rebound));
   print_message("D_KL %.5f +- %.5f\n", d.value, d.se);
   assert_near(d.value, 0, 0.002);
   aspi_judge_free(&all);

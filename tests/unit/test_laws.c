@@ -196,7 +196,7 @@ static void bad_tables_are_named(void **state) {
   } bad[] = {
       {"", {"without column names", NULL}},
       {"alpha1_deg,cor_n\n10,0.9\n", {"'cor_t' is missing", "alpha1_deg cor_n"}},
-      {"10,0.9,0.8\n20,0.8,0.7\n", {":1:", "'10' stands where a column name"}},
+      {"10,0.9,0.8\n20,0.8,0.7\n", {":1:", "no column names"}},
       {"alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n10,0.8,0.8\n", {"two rows", "10 degrees"}},
       {"alpha1_deg,cor_n,cor_t\n10,,0.8\n20,0.8,0.8\n", {":2:", "cor_n is ''"}},
       {"alpha1_deg,cor_n,cor_t\n10,0,9,0,8\n20,0,8,0,8\n", {":2:", "decimal commas"}},

@@ -176,9 +176,9 @@ static void walls_with_a_lay_are_surfaces(void **state) {
     aspi_judge all;
     assert_int_equal(judge_in_space(&all, &subject, &cases[i][2], 1, NULL), ASP_OK);
     aspi_angles model = many(&s, d_p, alpha1, psi, N);
-    aspi_estimate rebound =
+    aspi_mean_error rebound =
         aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, rebound));
-    aspi_estimate lateral =
+    aspi_mean_error lateral =
         aspi_judge_divergence(&all, 0, &model, 1, offsetof(aspi_angles, lateral));
     print_message("psi %g, d_p %g, alpha1 %g: D_KL %.4f +- %.4f, lateral %.4f +- %.4f\n",
                   cases[i][0], d_p, cases[i][2], rebound.value, rebound.se, lateral.value,

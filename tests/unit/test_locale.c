@@ -76,8 +76,8 @@ static void messages(void **state) {
   (void)state;
   static const char *const all[][2] = {
       {"surface sigma 60.5", "sigma is 60.5; it must be 0.001 to 54"},
-      {"rebound bons soften 800.5 0.001 temperature 800", "falls above 800.5 K only"},
-      {"surface rq 5.5um lambda_c 4.25um", "phi_r = r_q/lambda_c is 1.29412"}};
+      {"rebound bons soften 800.5 0.001 temperature 800", "softening starts at 800.5 K"},
+      {"surface rq 5.5um lambda_c 4.25um", "their ratio 1.29412 must"}};
   asp_error error;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
     assert_null(asp_description_parse(all[i][0], NULL, &error));
@@ -93,8 +93,8 @@ static void messages(void **state) {
   assert_non_null(strstr(error.text, "rq is -1.5"));
   const asp_particle largest = {.d_p = 1.25e-5};
   char text[500] = "";
-  for (int i = 0; !*text && asp_doubt(&(asp_question){d, NULL, 0, &largest, {NULL, NULL}}, i, text,
-                                      sizeof text);
+  for (int i = 0; !*text && asp_warning(&(asp_check_input){d, NULL, 0, &largest, {NULL, NULL}}, i,
+                                        text, sizeof text);
        i++)
     ;
   assert_non_null(

@@ -184,7 +184,7 @@ static size_t fly(asp_wall *const walls[4], uint64_t first, aspi_drawn *drawn) {
       drawn[n++] =
           (aspi_drawn){.tag = (double)tag,
                        .row = impact,
-                       .own = {1, log(weights[0] / weights[1]) / (2 * STEP), 0, weights[2]},
+                       .self = {1, log(weights[0] / weights[1]) / (2 * STEP), 0, weights[2]},
                        .result = {stuck, stuck, is.eroded, stuck ? NAN : is.v2[2] / 30, NAN}};
       if (stuck)
         break;
@@ -202,7 +202,7 @@ static asp_wall *rough(double factor) {
 }
 
 static void run_on(double factor, uint64_t first, aspi_drawn *drawn,
-                   aspi_estimate found[2][ASPI_PARTS]) {
+                   aspi_derivative found[2][ASPI_PARTS]) {
   asp_wall *walls[] = {rough(factor), rough(factor * exp(STEP)), rough(factor * exp(-STEP)),
                        rough(factor * 1.1)};
   double effective;
@@ -223,7 +223,7 @@ static void one_run_tells_of_others(void **state) {
   double mean[2][ASPI_PARTS] = {{0}}, square[2][ASPI_PARTS] = {{0}}, se[2][ASPI_PARTS] = {{0}};
   double more[2] = {0}, less[2] = {0}, other[2] = {0};
   for (uint64_t r = 0; r < RUNS; r++) {
-    aspi_estimate up_there[2][ASPI_PARTS], down_there[2][ASPI_PARTS], there[2][ASPI_PARTS],
+    aspi_derivative up_there[2][ASPI_PARTS], down_there[2][ASPI_PARTS], there[2][ASPI_PARTS],
         found[2][ASPI_PARTS];
     run_on(exp(0.05), (100 + r) * PARTICLES, drawn, up_there);
     run_on(exp(-0.05), (100 + r) * PARTICLES, drawn, down_there);

@@ -311,7 +311,7 @@ static void ensembles_agree_with_their_table(void **state) {
       asp_heights_free(profile);
     }
     for (int a = 0; a < 4; a++) {
-      aspi_view view = {
+      aspi_spread_input view = {
           .slope = slope, .sigma = atan(slope), .alpha1 = atan(as[a] * slope), .kappa = kappas[k]};
       double sum = 0;
       for (int i = 0; i < 2000; i++)
@@ -350,7 +350,7 @@ static void bad_sizes_are_named(void **state) {
   asp_heights *profile = aspi_profile_generate(0.1, 1, 1 / 16., 1024, 1, NULL);
   static const aspi_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
                                    {1, NAN, 2}, {1, 2, 0},   {1, 2, 100000}};
-  const aspi_relief of = {.heights = profile};
+  const aspi_height_field of = {.heights = profile};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     assert_null(aspi_spread_traced.prepare(&of, &bad[i], &error));
     assert_int_equal(error.code, ASP_EARG);

@@ -59,7 +59,7 @@ def _struct(columns: str) -> np.dtype:
 BODY = _struct("inverse_mass f8, inverse_inertia 6f8, lever 3f8")  # asp_body
 _PARTICLE = _struct("d_p f8, density f8, pair uintp, omega 3f8, lay uintp, temperature f8, "
                     "u_tau f8, body uintp, reserved 4f8")
-_QUESTION = _struct("words uintp, wall uintp, d_least f8, largest uintp, material 2uintp")
+_CHECK_INPUT = _struct("words uintp, wall uintp, d_least f8, largest uintp, material 2uintp")
 _KEY = _struct("seed u4, wall u4, tag u8, impact u4")
 _IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capped ?, outcome i4, "
                   "eroded f8, reserved 4f8")
@@ -67,7 +67,7 @@ _COEFFICIENTS = _struct("v1 f8, alpha1 f8, v2 f8, alpha2 f8, cor_v f8, cor_alpha
                         "cor_v_space f8, cor_alpha_space f8, cor_t f8")
 
 _STRUCTS = {"body": BODY, "coefficients": _COEFFICIENTS, "impact": _IMPACT, "key": _KEY,
-            "particle": _PARTICLE, "question": _QUESTION, "error": _Failure, "lay": _Lay}
+            "particle": _PARTICLE, "check_input": _CHECK_INPUT, "error": _Failure, "lay": _Lay}
 
 _P, _S, _N, _D, _E = c_void_p, c_char_p, c_size_t, c_double, POINTER(_Failure)
 _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
@@ -76,7 +76,7 @@ _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "description_text": (_N, _P, _P, _N), "description_get": (_D, _P, _S),
     "description_word": (_S, _P, _S), "description_lay": (_Lay, _P),
     "description_material": (_P, _P, c_int), "material_get": (_D, _P, _S),
-    "doubt": (c_bool, _P, c_int, _P, _N), "description_needs_sizes": (c_bool, _P),
+    "warning": (c_bool, _P, c_int, _P, _N), "description_needs_sizes": (c_bool, _P),
     "description_set_heights": (c_int, _P, _P, _E), "heights_free": (None, _P),
     "heights_create": (_P, _P, _N, _N, _D, _D, c_bool, _E),
     "wall_create": (_P, _P, _D, _D, _E), "wall_free": (None, _P), "wall_pair": (_P, _P),
@@ -218,15 +218,15 @@ walton 0.9 0.3 0 deposit freeze seed 1')
 
     def _doubts(self, least: float, most: float) -> Iterator[str]:
         """What looks like a mistake in the wall's words, its file, and its constants."""
-        largest, question = np.zeros((), _PARTICLE), np.zeros((), _QUESTION)
+        largest, check_input = np.zeros((), _PARTICLE), np.zeros((), _CHECK_INPUT)
         largest["d_p"], largest["density"] = most, self._density
         largest["pair"] = _asp.asp_wall_pair(self._wall) or 0
-        question["words"], question["wall"] = self._words, self._wall
-        question["d_least"], question["largest"] = least, largest.ctypes.data
-        question["material"] = [_asp.asp_description_material(self._words, i) or 0
+        check_input["words"], check_input["wall"] = self._words, self._wall
+        check_input["d_least"], check_input["largest"] = least, largest.ctypes.data
+        check_input["material"] = [_asp.asp_description_material(self._words, i) or 0
                                 for i in range(2)]
         text, index = ctypes.create_string_buffer(500), 0
-        while _asp.asp_doubt(question.ctypes.data, index, text, len(text)):
+        while _asp.asp_warning(check_input.ctypes.data, index, text, len(text)):
             index += 1
             if text.value:
                 yield text.value.decode()

@@ -36,15 +36,6 @@ bool asp_rebound_needs_pair(const asp_rebound_law *law) {
   return law->needs_pair;
 }
 
-asp_code aspi_parameter_read(const asp_parameter *parameter, const char *word, double *value,
-                             asp_error *error) {
-  int index = aspi_word_index(parameter->words, word, strlen(word), true);
-  *value = index;
-  return index >= 0 ? ASP_OK
-                    : aspi_fail(error, ASP_EARG, "%s is '%s'; it must be one of: %s",
-                                parameter->name, word, parameter->words);
-}
-
 int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name) {
   for (int i = 0; i < law->n_parameters; i++)
     if (strcmp(law->parameters[i].name, name) == 0)
@@ -54,7 +45,7 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name) {
 
 asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,
                                    asp_error *error) {
-  if (!law->gives_way || !law->gives_way(parameters))
+  if (!law->is_compliant || !law->is_compliant(parameters))
     return ASP_OK;
   return aspi_fail(error, ASP_EARG,
                    "rebound law '%s' acts on bodies and eccentric grains with BETA0 0 and without "

@@ -1,4 +1,4 @@
-/* The list of erosion laws, and what a wall does with one.
+/* The list of erosion laws, and the eroded mass of one hit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
@@ -32,7 +32,7 @@ void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const
                             .density_unit = aspi_quantity_factor("density", units)};
   for (int i = 0; i < law->n_parameters; i++)
     erosion->given[i] =
-        law->parameters[i].fallback * aspi_quantity_factor(law->parameters[i].unit, units);
+        law->parameters[i].default_value * aspi_quantity_factor(law->parameters[i].unit, units);
 }
 
 double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, double v, double sine,

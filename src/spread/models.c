@@ -31,21 +31,13 @@ const char *asp_spread_name(const asp_spread_model *model) {
   return model->name;
 }
 
-const char *asp_spread_summary(const asp_spread_model *model) {
-  return model->summary;
-}
-
-const char *asp_spread_source(const asp_spread_model *model) {
-  return model->source;
-}
-
-aspi_view aspi_view_of(double sigma, double alpha1) {
-  return (aspi_view){
+aspi_spread_input aspi_spread_input_of(double sigma, double alpha1) {
+  return (aspi_spread_input){
       .slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1, .phi_r = tan(sigma) / sqrt(2)};
 }
 
-bool aspi_spread_draw(const asp_spread_model *model, const aspi_view *view, aspi_stream *stream,
-                      double *delta) {
+bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *view,
+                      aspi_stream *stream, double *delta) {
   if (model->loop)
     return model->loop(view, stream, delta);
   *delta = model->quantile(view, aspi_stream_uniform(stream));
