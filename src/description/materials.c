@@ -1,6 +1,7 @@
 /* The materials of a description.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/grow.h"
 #include "base/number.h"
 #include "base/units.h"
 #include "description/words.h"
@@ -54,7 +55,7 @@ asp_code aspi_names_read(aspi_words *r, const aspi_keyword *k) {
   while (r->next < r->count && !aspi_words_next_is(r, "file") && !is_number(r->words[r->next]) &&
          !aspi_words_in_list(r->words[r->next], keywords) &&
          !aspi_words_in_list(r->words[r->next], r->others)) {
-    char **grown = realloc(d->names, (size_t)(d->n_materials + 1) * sizeof *grown);
+    char **grown = aspi_grow(d->names, (size_t)d->n_materials, sizeof *grown);
     char *name = grown ? aspi_words_copy(r->words[r->next++], r->error) : NULL;
     d->names = grown ? grown : d->names;
     if (!name)

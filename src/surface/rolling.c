@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/rolling.h"
 #include "base/error.h"
+#include "base/grow.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,7 +53,7 @@ typedef struct curve {
   double *path;                  /* NULL: out of memory */
   ptrdiff_t length;              /* of the path, in its points */
   arc *wide;
-  size_t count, room; /* of wide arcs */
+  size_t count; /* of wide arcs */
 } curve;
 
 /* A place of the center, in points of the path, and the slope there. */
@@ -160,16 +161,13 @@ static inline void lift(const curve *c, const arc *a, ptrdiff_t first, double un
 static void keep(curve *c, arc a, ptrdiff_t first) {
   ptrdiff_t shift = first - wrapped(c, first);
   for (; (double)shift <= a.to && c->path; shift += c->length) {
-    if (c->count == c->room) {
-      c->room = 2 * c->room + 1024;
-      arc *more = realloc(c->wide, c->room * sizeof *more);
-      if (!more) {
-        free(c->path);
-        c->path = NULL;
-        return;
-      }
-      c->wide = more;
+    arc *more = aspi_grow(c->wide, c->count, sizeof *more);
+    if (!more) {
+      free(c->path);
+      c->path = NULL;
+      return;
     }
+    c->wide = more;
     arc *kept = &c->wide[c->count++];
     *kept = a;
     kept->from -= (double)shift;

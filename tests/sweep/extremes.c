@@ -334,7 +334,7 @@ static void print_combination(const combination *c) {
     printf(" (its quantile at u = %.17g)", u_forced);
   printf(" rebound %s", wall->law->name);
   for (int i = 0; i < wall->law->n_parameters; i++) {
-    const char *keyword = aspi_parameter_keyword(&wall->law->parameters[i]);
+    const char *keyword = aspi_keyword_word(&wall->law->parameters[i]);
     if (strcmp(keyword, last) != 0)
       printf(" %s", keyword);
     last = keyword;

@@ -81,7 +81,7 @@ static vec random_vec(aspi_stream *s) {
 static void words_of(const asp_rebound_law *law, char *text, size_t size) {
   int n = snprintf(text, size, "%s", law->name);
   for (int i = 0; i < law->n_parameters; i++)
-    if (law->parameters[i].word && !law->parameters[i].word[0])
+    if (!*aspi_keyword_word(&law->parameters[i]))
       n += snprintf(text + n, size - (size_t)n, " %g", law->parameters[i].default_value);
   if (law->needs_pair)
     snprintf(text + n, size - (size_t)n, " materials quartz 304-ss");
