@@ -11,8 +11,8 @@ set size ratio -1
 set xrange [-56:56]; set yrange [-56:56]
 set xtics 40; set ytics 40
 set xlabel 'x / mm'; set ylabel 'z / mm'
-set object 1 circle at 0,0 size 50 fs empty border rgb '#444444' lw 1.5
-set object 2 circle at 0,0 size 42 arc [60:120] nowedge fs empty border rgb '#888888' lw 1.5
+set object 1 circle at 0,0 size 50 lw 1.5 fs empty border rgb '#444444'
+set object 2 circle at 0,0 size 42 arc [60:120] nowedge lw 1.5 fs empty border rgb '#888888'
 set arrow 1 from 19.5,37.2 to 21.3,36.2 head size 3,25 filled lc rgb '#888888' lw 1.5
 unset colorbox
 set title 'smooth wall, 0.9 s'

@@ -3,7 +3,9 @@
  *
  * The script's command `clear` makes a new Modify, so the style is registered where that lists its
  * styles: this program defines a function of the name of Modify::create_factories(), which the
- * dynamic linker gives to the library in place of its own. The library is checked first.
+ * dynamic linker gives to the library in place of its own. A library that was linked to itself, as
+ * Ubuntu's, calls its own all the same; so the style is also looked for at each line of the script,
+ * which ranks broadcast. The library is checked first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dlfcn.h>
@@ -24,6 +26,7 @@ namespace {
 
 const char NAME[] = "lammps-asperity";
 bool checked = false;
+LAMMPS *program = NULL; /* once it is checked */
 
 Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
   return new FixWallRebound(lmp, narg, arg);
@@ -53,6 +56,12 @@ void asperity_create_factories(Modify *modify) {
   if (checked)
     register_style(modify);
 }
+
+int MPI_Bcast(void *buffer, int count, MPI_Datatype type, int root, MPI_Comm comm) {
+  if (program && program->modify && !program->modify->fix_map->count("wall/rebound"))
+    register_style(program->modify);
+  return PMPI_Bcast(buffer, count, type, root, comm);
+}
 }
 
 static void run(int argc, char **argv) {
@@ -60,7 +69,9 @@ static void run(int argc, char **argv) {
   asperity::check(NAME, check_library(lammps));
   checked = true;
   register_style(lammps->modify);
+  program = lammps;
   lammps->input->file();
+  program = NULL;
   delete lammps;
 }
 

@@ -4,8 +4,9 @@
  * The style is registered in Modify::fix_map, which is private; naming the member in an explicit
  * template instantiation is legal C++ and reaches it. The script's command `clear` makes a new
  * Modify, so the style is registered by its constructor: this program defines a function of the
- * constructor's name, which the dynamic linker gives to the library in place of its own. The
- * library is checked first.
+ * constructor's name, which the dynamic linker gives to the library in place of its own. A library
+ * that was linked to itself, as Ubuntu's, calls its own all the same; so the style is also looked
+ * for at each line of the script, which ranks broadcast. The library is checked first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dlfcn.h>
@@ -34,6 +35,7 @@ using namespace asperity;
 namespace {
 
 const char NAME[] = "liggghts-asperity";
+LAMMPS *program = NULL; /* once it is checked */
 
 typedef Fix *(*FixCreator)(LAMMPS *, int, char **);
 typedef std::map<std::string, FixCreator> *Modify::*FixMapMember;
@@ -102,6 +104,13 @@ void asperity_construct_modify(Modify *modify, LAMMPS *lammps) {
   original(modify, lammps);
   register_style(lammps, modify);
 }
+
+int MPI_Bcast(void *buffer, int count, MPI_Datatype type, int root, MPI_Comm comm) {
+  Modify *modify = program ? program->modify : NULL;
+  if (modify && !(modify->*fix_map_member)->count("wall/rebound"))
+    register_style(program, modify);
+  return PMPI_Bcast(buffer, count, type, root, comm);
+}
 }
 
 int main(int argc, char **argv) {
@@ -112,7 +121,9 @@ int main(int argc, char **argv) {
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
   register_style(lammps, lammps->modify); /* where the library was linked to itself */
   check_classes(lammps);
+  program = lammps;
   lammps->input->file();
+  program = NULL;
   delete lammps;
   MPI_Finalize();
   return 0;

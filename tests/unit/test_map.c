@@ -133,18 +133,18 @@ static void triples_are_read_in_any_order(void **state) {
 static void columns_are_chosen_by_their_names(void **state) {
   (void)state;
   static const struct {
-    const char *head, *row; /* %1$ counts, %2$ is x, %3$ y, %4$ z, in um, mm and nm */
-  } all[] = {{"x [um],y [mm],z [nm]\n", "%2$.6g,%3$.9g,%4$.9g\n"},
-             {"Point;Z [nm];X [um];Y [mm]\n", "%1$d;%4$.9g;%2$.6g;%3$.9g\n"},
-             {"X\tY\tHeight\tQuality\num\tmm\tnm\t\n", "%2$.6g\t%3$.9g\t%4$.9g\t%1$d\n"},
-             {"\"X [um]\",\"Y [mm]\",\"Z [nm]\"\n", "\"%2$.6g\",\"%3$.9g\",\"%4$.9g\"\n"},
-             {"\xEF\xBB\xBFx [um] y [mm] z [nm]\r", "%2$.6g %3$.9g %4$.9g\r"}};
+    const char *head, *row; /* %1$ is x, %2$ y, %3$ z, in um, mm and nm; %4$ counts */
+  } all[] = {{"x [um],y [mm],z [nm]\n", "%1$.6g,%2$.9g,%3$.9g\n"},
+             {"Point;Z [nm];X [um];Y [mm]\n", "%4$d;%3$.9g;%1$.6g;%2$.9g\n"},
+             {"X\tY\tHeight\tQuality\num\tmm\tnm\t\n", "%1$.6g\t%2$.9g\t%3$.9g\t%4$d\n"},
+             {"\"X [um]\",\"Y [mm]\",\"Z [nm]\"\n", "\"%1$.6g\",\"%2$.9g\",\"%3$.9g\"\n"},
+             {"\xEF\xBB\xBFx [um] y [mm] z [nm]\r", "%1$.6g %2$.9g %3$.9g\r"}};
   for (size_t form = 0; form < sizeof all / sizeof *all; form++) {
     FILE *file = begin("map");
     fputs(all[form].head, file);
     for (int k = 0; k < ROWS * COLUMNS; k++)
-      fprintf(file, all[form].row, k + 1, 0.5 * (k % COLUMNS), 0.7e-3 * (k / COLUMNS),
-              1e3 * heights[k / COLUMNS][k % COLUMNS]);
+      fprintf(file, all[form].row, 0.5 * (k % COLUMNS), 0.7e-3 * (k / COLUMNS),
+              1e3 * heights[k / COLUMNS][k % COLUMNS], k + 1);
     fputs("\nend of data\n", file);
     fclose(file);
     check_map(read_map("map"), 1e-4);

@@ -42,7 +42,7 @@ y_mid = (least + most) / 2
 set label 1 sprintf('where a particle of %.3g µm bridges the most, to scale', d) @above
 set xlabel 'x / µm'; set xrange [x_mid - half:x_mid + half]
 set yrange [y_mid - half / shape:y_mid + half / shape]
-set object 1 circle at x_deep,c_deep size d / 2 front fs empty border lc rgb '#009e73' lw 2
+set object 1 circle at x_deep,c_deep size d / 2 front lw 2 fs empty border rgb '#009e73'
 plot table using (column('x_um')):(inside(column('x_um'), column('closed_um'))) with lines ls 1 lw 4 title 'closing', \
   table using (column('x_um')):(inside(column('x_um'), column('z_um'))) with lines ls reference title 'profile', \
   table using (column('x_um')):(inside(column('x_um'), column('center_um'))) with lines ls 2 lw 1 title 'path of the center', \
