@@ -130,10 +130,10 @@ if [ -n "$objects" ]; then
 
   # Prefixes: what an object of C defines begins with asp_ or aspi_, in the command with cli_; what one of C++ defines is
   # in namespace asperity, or begins with aspi_ where it is found by name.
-  # An engine's classes and the functions that it calls are named as it wants them.
+  # An engine's classes and the functions that it calls are named as it wants them, also MPI_Bcast of the launchers.
   awk '$3 !~ /[Uw]/ && $4 !~ ($2 ~ /^cli\// ? "^(cli_|main$)" : "^aspi?_") { print $2, $4 }' "$work/c" | sort -u > "$work/astray"
   awk '$3 ~ /[TDBR]/ { file = $2; sub(/^[^ ]* [^ ]* [^ ]* /, "")
-      if (!/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS|Foam)::/ && !/^(main|lammpsplugin_init|aspi_.*)$/) print file, $0 }' "$work/cpp" |
+      if (!/^(vtable for |typeinfo (name )?for |non-virtual thunk to )?(asperity|LAMMPS_NS|Foam)::/ && !/^(main|lammpsplugin_init|aspi_.*)$/ && !(file ~ /main\.cpp$/ && /^MPI_Bcast$/)) print file, $0 }' "$work/cpp" |
     sort -u >> "$work/astray"
   while read -r file symbol; do
     say "$file defines $symbol, which is neither asp_, aspi_ or cli_ as its room has it nor in namespace asperity"

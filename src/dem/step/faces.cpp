@@ -160,7 +160,7 @@ void ContactPoint::lose_bounce() const {
 
 /* The slope that the valley withstands in which the sphere lies; 0: it lies in none. */
 double ContactPoint::hold(bool is_sustained) {
-  if (!face || !wall.setup.interlocks || !wall.setup.model.dissipates())
+  if (!face || !wall.has_valleys)
     return 0;
   const FacePlace &at = valley();
   const double along = mover.energy_along(touch.n, v1, spin);

@@ -11,7 +11,7 @@ using namespace asperity;
 
 Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_rough(false), has_lay(false), is_still(false), has_to_delete(false),
+      is_in_step(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false), has_to_delete(false),
       is_cut(false) {}
 
 void Population::list(const Spheres &s, int groupbit) {
@@ -59,6 +59,7 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
           aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
     }
   is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
+  has_valleys = is_rough && setup.interlocks && setup.model.dissipates();
   has_lay = setup.model.lay().kind != ASP_LAY_NONE || setup.engine.dimension() == 2;
   grains.begin_run(setup, s);
   reorder(s);

@@ -62,6 +62,7 @@ struct Stepper {
   Population grains, bodies;
   bool is_in_step;    /* between carry_stuck() and hold_stuck() */
   bool is_rough;      /* in this run */
+  bool has_valleys;   /* that hold what rests */
   bool has_lay;       /* in two dimensions, too: there the tilt is in the plane */
   bool is_still;      /* no shape moves or measures what sticks to it in this step */
   bool has_to_delete; /* movers of this rank are to be deleted */
