@@ -84,7 +84,7 @@ done << END
 profile nowhere.csv:nowhere.csv No such file
 profile nounit.txt:nounit.txt unit
 profile coarse.csv:coarse.csv spacing 1e-05
-rq 1e-4 lambda_c 4e-5:phi_r
+rq 1e-4 lambda_c 4e-5:their ratio
 END
 script si.data "$wall" 'run 1' > bad.in
 mkdir elsewhere
