@@ -437,6 +437,29 @@ static void test_tree(void **unused) {
   }
 }
 
+/* Points on the edges and at the nodes of a plane of squares, to rounding, are over one of its
+ * triangles: what rests there does not fall between them. */
+static void test_edges(void **unused) {
+  (void)unused;
+  for (int i = 0; i < 20000; i++) {
+    double corner[3], sides[2][3], x[3], n[3], height;
+    random_vector(1, corner);
+    random_vector(0.3, sides[0]);
+    random_vector(0.3, sides[1]);
+    aspi_add_scaled(corner, i % 2 ? uniform(-1, 1) : 0, sides[0], x);
+    bool any = false;
+    for (int k = 0; k < 8; k++) { /* two of each square around the corner */
+      ContactTriangle t;
+      double *one = t.node[(i + 1) % 3], *both = t.node[(i + 2) % 3];
+      aspi_copy(corner, t.node[i % 3]);
+      aspi_add_scaled(corner, k & 1 ? 1 : -1, sides[k >> 2], one);
+      aspi_add_scaled(one, k & 2 ? 1 : -1, sides[!(k >> 2)], both);
+      any = any || aspi_triangle_is_under(&t, x, n, &height);
+    }
+    assert_true(any);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_paths),    cmocka_unit_test(test_grazing),
@@ -444,7 +467,7 @@ int main(void) {
       cmocka_unit_test(test_centered), cmocka_unit_test(test_none),
       cmocka_unit_test(test_wide),     cmocka_unit_test(test_sliding),
       cmocka_unit_test(test_along),    cmocka_unit_test(test_tree),
-      cmocka_unit_test(test_area),
+      cmocka_unit_test(test_area),     cmocka_unit_test(test_edges),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

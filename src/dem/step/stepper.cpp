@@ -11,8 +11,8 @@ using namespace asperity;
 
 Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false), has_to_delete(false),
-      is_cut(false) {}
+      is_in_step(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false),
+      has_to_delete(false), is_cut(false) {}
 
 void Population::list(const Spheres &s, int groupbit) {
   stuck.clear();
