@@ -49,7 +49,7 @@ void Run::begin(bool is_setup) {
   attempt([this, is_setup] {
     const Spheres all = spheres();
     wall.begin_run(all, group_bit(), box());
-    wall.free_displaced(all, is_setup ? 0 : all.dt);
+    wall.stepper.free_displaced(all, is_setup ? 0 : all.dt);
   });
   has_begun_ = true;
 }

@@ -385,23 +385,6 @@ static bool meets(const Walls &near, const Spheres &s, int i) {
   return false;
 }
 
-/* Where the engine's turn of a body differs from the one that was searched, the body takes that. */
-static void apply_rotation(Flight &flight, const Movers &movers) {
-  const Mover &mover = flight.mover;
-  const Body &body = *mover.body;
-  double off = 0;
-  flight.go_on(flight.path.left);
-  for (size_t k = 0; k < mover.count; k++) {
-    double searched[3], arm[3];
-    mover.arm(k, searched);
-    arm_of(body, mover.sphere[k], arm);
-    aspi_subtract(searched, arm, arm);
-    off = std::max(off, aspi_length(arm));
-  }
-  if (off > OVERLAP * mover.sphere->radius)
-    movers.place(mover, body.x);
-}
-
 /* All contacts of a mover. */
 static void fly_one(const Walls &walls, const Walls &near, const Movers &movers, int i) {
   const Spheres *grains = movers.grains;
@@ -411,14 +394,11 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
   Instant now;
   movers.read(mover, now);
   movers.read_rates(mover, now);
-  Flight flight(mover, movers, now, *walls[0]);
+  Flight flight(mover, movers, now);
   Touch stuck;
   const double most = grains ? Ahead::bend(grains->radius[i]) / movers.dt : 0;
-  if (!fly(walls, grains ? near : walls, flight, most, stuck)) {
-    if (!mover.is_ball)
-      apply_rotation(flight, movers);
+  if (!fly(walls, grains ? near : walls, flight, most, stuck))
     return;
-  }
   for (const Impact &impact : flight.impacts)
     impact.wall->books.count(impact);
   if (stuck.wall) {
@@ -468,7 +448,5 @@ void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bo
   if (!bodies)
     return;
   step_movers(walls, *bodies);
-  for (size_t b = 0; b < bodies->all.size(); b++)
-    walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies->step + 1, bodies->all[b].axes);
   bodies->begins = false;
 }
