@@ -211,7 +211,7 @@ void commands_free_bodies_that_they_move(void **) {
     assert_true(near(s.body().x[2], 0.5 + moved, 1e-9));
     assert_true(near(s.wall->stuck(), moved > 0 ? 0 : 1, 0));
     const bool told = strstr(s.engine.warned.c_str(), "bodies that a command has moved");
-    assert_true(told == moved > 0);
+    assert_true(told == (moved > 0));
   }
 }
 

@@ -369,26 +369,10 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   return true;
 }
 
-/* True if a grain's path meets one of these walls: those of most that are near do not. */
-static bool meets(const Walls &near, const Spheres &s, int i) {
-  const size_t at = 3 * static_cast<size_t>(i);
-  Path path;
-  Contact contact;
-  path.left = path.dt = s.dt;
-  path.rest = 0;
-  aspi_copy(s.v + at, path.v);
-  aspi_add_scaled(s.x + at, -s.dt, path.v, path.x);
-  for (const Stepper *wall : near)
-    for (const Member &member : wall->setup.shapes)
-      if (member.shape->find(path, s.radius[i], s.dt, contact))
-        return true;
-  return false;
-}
-
 /* All contacts of a mover. */
 static void fly_one(const Walls &walls, const Walls &near, const Movers &movers, int i) {
   const Spheres *grains = movers.grains;
-  if (grains ? !meets(near, *grains, i) : movers.bodies->all[static_cast<size_t>(i)].is_led)
+  if (!grains && movers.bodies->all[static_cast<size_t>(i)].is_led)
     return;
   Mover mover(movers, i);
   Instant now;
