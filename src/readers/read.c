@@ -19,7 +19,6 @@ aspi_profile_options aspi_profile_options_default(void) {
 /* Adds what was read to what was mended. */
 static void write_report(aspi_profile_report *r, const aspi_raw *raw,
                          const aspi_profile_options *options) {
-  const aspi_filters *f = &options->filters;
   *r->text = '\0';
   if (raw->is_map)
     aspi_append(r->text, sizeof r->text, "%zu x ", raw->columns);
@@ -30,12 +29,8 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
   if (r->filled)
     aspi_append(r->text, sizeof r->text, ", %zu points filled in (longest gap %zu)", r->filled,
                 r->longest_gap);
-  if (f->tip > 0)
-    aspi_append(r->text, sizeof r->text, ", tip %g m", f->tip);
-  if (f->lambda_s > 0)
-    aspi_append(r->text, sizeof r->text, ", lambda_s %g m", f->lambda_s);
-  if (f->cutoff > 0)
-    aspi_append(r->text, sizeof r->text, ", cutoff %g m", f->cutoff);
+  if (options->lambda_s > 0)
+    aspi_append(r->text, sizeof r->text, ", lambda_s %g m", options->lambda_s);
   if (options->form >= 0)
     aspi_append(r->text, sizeof r->text, ", polynomial of degree %d taken out", options->form);
   else

@@ -9,13 +9,6 @@
 /* The highest degree of a form. */
 enum { ASP_FORM_MAX = 9 };
 
-/* The filters of instruments. Lengths in m; 0: that one is left out. They work in this order. */
-typedef struct aspi_filters {
-  double tip;      /* radius of the stylus */
-  double lambda_s; /* shorter waves are taken out, */
-  double cutoff;   /* and longer ones (lambda_c of ISO 21920-3, not the correlation length) */
-} aspi_filters;
-
 /* Options of reading a measured profile or map. */
 typedef struct aspi_profile_options {
   double unit_x, unit_z; /* meters in one unit of a text file's columns; 0: as the file states */
@@ -31,7 +24,7 @@ typedef struct aspi_profile_options {
   double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
                      the columns and the rows of a matrix; 0: as the file states */
   double missing; /* the height that marks a missing one; NAN: there is none */
-  aspi_filters filters;
+  double lambda_s; /* of a profile: shorter waves are taken out, m; 0: none are */
 } aspi_profile_options;
 
 /* Defaults: units as stated, meters, mean line subtracted, gaps refused, unequal spacing resampled,
@@ -118,8 +111,9 @@ asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profil
 asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
                    asp_error *error);
 
-/* Filters heights at equal spacing, in place. ASP_EARG if a length does not fit the profile. */
-asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,
+/* Takes waves shorter than lambda_s out of heights at equal spacing, in place. ASP_EARG if it does
+ * not fit the profile. */
+asp_code aspi_filter(double *heights, size_t points, double spacing, double lambda_s,
                      asp_error *error);
 
 /* ---- warnings about heights: dust, few steps, clipped ---- */

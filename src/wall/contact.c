@@ -23,11 +23,10 @@ static void pass(const asp_particle *particle, const double v1[3], asp_impact *i
 static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, vec n,
                       aspi_stream *stream) {
   vec turning = cross(n, omega), other[2];
-  double rate = sqrt(dot(turning, turning)), delta = 0;
+  double rate = sqrt(dot(turning, turning));
   turning = rate > 0 ? scaled(turning, 1 / rate) : across(n);
   aspi_spread_input view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
-  while (!aspi_spread_draw(wall->rising, &view, stream, &delta))
-    ;
+  double delta = wall->rising->quantile(&view, aspi_stream_uniform(stream));
   other[0] = plus(scaled(n, aspi_stream_normal(stream)), -tan(delta), turning);
   return scaled(plus(other[0], aspi_stream_normal(stream), cross(n, turning)), sd);
 }
@@ -130,8 +129,7 @@ asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *pa
 }
 
 static bool has_weights(const asp_wall *wall) {
-  const asp_spread_model *model = wall->spread;
-  return wall->rough && wall->multiple && !wall->follow && model->density && !model->escape;
+  return wall->rough && wall->multiple && !wall->follow && wall->spread->density;
 }
 
 /* Beyond sqrt(2) the variance of the weights is infinite: densities have Gaussian tails. */

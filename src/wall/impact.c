@@ -247,10 +247,6 @@ static void add_ratios(const asp_wall *wall, const passage *fly, const frame *no
 static bool escapes(const asp_wall *wall, passage *fly, vec out) {
   if (wall->follow)
     return false;
-  double along = hypot(out.x, out.y);
-  if (wall->spread->escape)
-    return out.z > 0 && aspi_stream_uniform(fly->stream) <
-                            wall->spread->escape(&fly->now.view, atan2(out.z, along));
   double slope = fly->now.slopes.slope;
   if (aspi_roughness_has_lay(fly->rough))
     slope = aspi_roughness_along(fly->rough, aspi_heading_turned(fly->heading, out.x, out.y)).slope;

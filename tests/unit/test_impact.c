@@ -462,7 +462,6 @@ static void properties(void **state) {
     aspi_wall_choose_law(&s.choice, law);
     if (law->scatters)
       set_parameter(&s.choice, "scatter", gsl_rng_uniform(rng));
-    s.choice.scatter_twice = true;
     s.choice.deposit = gsl_rng_uniform_int(rng, 2);
     s.choice.isotropic = gsl_rng_uniform_int(rng, 2);
     s.choice.multiple = gsl_rng_uniform_int(rng, 2);
