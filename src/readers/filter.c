@@ -1,5 +1,5 @@
-/* The noise filter lambda_s of instruments: a Gaussian filter of ISO 16610-21. Weights are normalized
- * over the part within the profile, so that its ends are not drawn to zero.
+/* The noise filter lambda_s of instruments: a Gaussian filter of ISO 16610-21. Weights are
+ * normalized over the part within the profile, so that its ends are not drawn to zero.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"

@@ -58,7 +58,9 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *o, aspi_ra
     return code;
   return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, o, raw, error)
          : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, o, raw, error)
-                                    : aspi_read_sdf(text, format, o, raw, error);
+         : format == ASP_FORMAT_SUR
+             ? aspi_read_sur(text, o, raw, error)
+             : aspi_read_sdf(text, format == ASP_FORMAT_SDF_BINARY, o, raw, error);
 }
 
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
@@ -105,7 +107,8 @@ asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char 
   options.meter = meter;
   asp_heights *heights =
       aspi_read(NULL, aspi_word_or_empty(path), is_map, &options, &report, error);
-  *doubt = (asp_error){ASP_OK, ""};
+  if (doubt)
+    *doubt = (asp_error){ASP_OK, ""};
   if (*report.warnings)
     aspi_fail(doubt, ASP_EDATA, "%s", report.warnings);
   if (text)

@@ -21,9 +21,9 @@ typedef struct aspi_profile_options {
   const char *column; /* NULL, or: of an SDF map, that column instead; of a text file, the heights,
                          by number from 1 or by name */
   const char *x_column; /* of a text file, the positions alike; NULL: by the header */
-  double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
-                     the columns and the rows of a matrix; 0: as the file states */
-  double missing; /* the height that marks a missing one; NAN: there is none */
+  double step[2];  /* m, of a text file that has heights alone: between those of a profile ([0]), or
+                      the columns and the rows of a matrix; 0: as the file states */
+  double missing;  /* the height that marks a missing one; NAN: there is none */
   double lambda_s; /* of a profile: shorter waves are taken out, m; 0: none are */
 } aspi_profile_options;
 
@@ -89,23 +89,17 @@ typedef enum aspi_format {
 } aspi_format;
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
-/* Heights on a grid, of which the scales are m; NAN for what a header does not say. */
-typedef struct aspi_sdf {
-  double points, profiles, x_scale, y_scale, z_scale, compression;
-  int type;    /* of binary heights, by their number in SDF; -1 in ASCII */
-  double mark; /* mark of a missing height, before z_scale; NAN: none */
-} aspi_sdf;
-
-/* The readers of a text at its beginning, columns, SDF or SUR, X3P, and of the heights of a grid.
- * They leave raw->z to be freed by the caller, on error too. */
+/* The readers of a text at its beginning. They leave raw->z to be freed by the caller, on error
+ * too.
+ */
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error);
-asp_code aspi_read_sdf(aspi_text *text, aspi_format format, const aspi_profile_options *options,
+asp_code aspi_read_sdf(aspi_text *text, bool is_binary, const aspi_profile_options *options,
                        aspi_raw *raw, asp_error *error);
+asp_code aspi_read_sur(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                       asp_error *error);
 asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error);
-asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profile_options *options,
-                        aspi_raw *raw, asp_error *error);
 
 /* Subtracts the form, marks spikes, fills or refuses gaps, filters, and reports what it did. */
 asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
