@@ -152,7 +152,7 @@ static void save(const cli_call *call, const asp_heights *profile) {
 /* ---- the slopes ---- */
 
 static double kappa_of(const slopes_row *row) {
-  return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
+  return aspi_kappa(row->d_p, row->r_q / row->lambda_c, row->lambda_c);
 }
 
 /* The slopes that discs of every size meet on a profile, in order, on all cores. */
@@ -227,9 +227,9 @@ static void check_options(const cli_call *call, const char *kind) {
   static const struct {
     const char *option;
     int own;
-  } list[] = {{"points", GENERATED},    {"row", BY_PROFILE},    {"column", BY_PROFILE},
+  } list[] = {{"points", GENERATED},    {"row", BY_PROFILE},      {"column", BY_PROFILE},
               {"x-column", BY_PROFILE}, {"lambda_s", BY_PROFILE}, {"unit", MEASURED},
-              {"step", MEASURED},       {"missing", MEASURED},  {"form", MEASURED},
+              {"step", MEASURED},       {"missing", MEASURED},    {"form", MEASURED},
               {"gaps", MEASURED},       {"spikes", MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE

@@ -1,6 +1,6 @@
-/* The paper's baseline, routines 1 to 3: the normal distribution, drawn again until the face neither
- * is in the shadow (delta > -alpha1) nor sends a specular rebound into the wall (delta > -alpha1/2,
- * the stricter of the two). That is the law of `truncated`, which is drawn in one step.
+/* The paper's baseline, routines 1 to 3: the normal distribution, drawn again until the face
+ * neither is in the shadow (delta > -alpha1) nor sends a specular rebound into the wall (delta >
+ * -alpha1/2, the stricter of the two). That is the law of `truncated`, which is drawn in one step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
