@@ -50,7 +50,7 @@ static void take_view(picture *p, const cli_option *option) {
   aspi_copy(toward, p->axis[2]);
   aspi_cross(toward, right, p->axis[1]);
   for (int k = 0; k < 3; k++)
-    p->light[k] = toward[k] + 0.4 * p->axis[1][k] - 0.3 * right[k];
+    p->light[k] = toward[k] + 0.25 * p->axis[1][k] - 0.2 * right[k];
   aspi_scale(1 / aspi_length(p->light), p->light);
 }
 
