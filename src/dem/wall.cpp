@@ -261,6 +261,7 @@ void Wall::restore(const char *record) {
                       changes);
   setup.model.set_sizes(saved.d_range);
   setup.clock = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
+  stepper.dt_ahead = setup.clock.dt;
   restore_meshes(saved);
   if (setup.engine.rank() == 0) /* from which they are claimed */
     stepper.body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {

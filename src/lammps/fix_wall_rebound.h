@@ -28,7 +28,6 @@ public:
   int setmask() override;
   void init() override;
   void setup(int vflag) override;
-  void initial_integrate(int vflag) override;
   void pre_exchange() override;
   void pre_neighbor() override;
   void post_neighbor() override;

@@ -363,8 +363,7 @@ void FixWallRebound::pre_initial_integrate() {
   if (!is_set_up_)
     return;
   is_set_up_ = false;
-  push_spheres();
-  attempt([this] { push_bodies(); });
+  attempt([this] { push(); });
 }
 
 void FixWallRebound::begin_step() {

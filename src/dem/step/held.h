@@ -49,6 +49,7 @@ struct Held : Touch {
   double change[3]; /* of p, by the last sweep */
   double k[3][3];   /* of a body: row d is the velocity of the point by the impulse e_d there */
 
+  double met[3]; /* on a path: where the mover was then */
   /* On a path: the normal when it was met last, and at the path's end; along that, the path must
    * move at least at this speed. */
   double n_last[3], n_path[3], least_speed;

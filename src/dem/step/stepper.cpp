@@ -11,8 +11,8 @@ using namespace asperity;
 
 Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false),
-      has_to_delete(false), is_cut(false) {}
+      is_in_step(false), begins(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false),
+      has_to_delete(false), is_cut(false), dt_ahead(0) {}
 
 void Population::list(const Spheres &s, int groupbit) {
   stuck.clear();
@@ -61,6 +61,7 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
   is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
   has_valleys = is_rough && setup.interlocks && setup.model.dissipates();
   has_lay = setup.model.lay().kind != ASP_LAY_NONE || setup.engine.dimension() == 2;
+  begins = true;
   grains.begin_run(setup, s);
   reorder(s);
 }

@@ -58,11 +58,12 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
 /* ---- how it moves -----------------------------------------------------------------------------
  */
 
-/* Gives a stuck mover the velocity of its wall, with the load that holds it. */
+/* Gives a stuck mover, which is shifted in its place, the velocity of its wall, with the load that
+ * holds it. */
 static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
-                     const Mover &mover) {
+                     const Mover &mover, const double shift[3]) {
   Instant now;
-  double change[3], turn[3], center[3];
+  double change[3], turn[3], center[3], swing[3];
   movers.read(mover, now);
   aspi_subtract(at.v, now.v, change);
   aspi_subtract(at.omega, now.spin, turn);
@@ -74,9 +75,11 @@ static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
   const size_t anchor = mover.anchor(at);
   mover.arm(anchor, center);
   aspi_add_scaled(center, 1, now.x, center);
-  wall.books.add_load(
-      static_cast<size_t>(at.shape) - 1,
-      mover.load(anchor, static_cast<int>(at.piece), center, NONE, now.x, change, turn));
+  ContactLoad load =
+      mover.load(anchor, static_cast<int>(at.piece), center, NONE, now.x, change, turn);
+  aspi_cross(shift, now.v, swing);
+  aspi_add_scaled(load.couple, -mover.mass, swing, load.couple);
+  wall.books.add_load(static_cast<size_t>(at.shape) - 1, load);
 }
 
 /* Puts a stuck mover where its wall has it at the end of the step. */
@@ -88,8 +91,8 @@ static void carry(Stepper &wall, const Movers &movers, int i, double left) {
   const size_t anchor = mover.anchor(at);
   movers.read(mover, now);
   mover.arm(anchor, arm);
-  aspi_add_scaled(now.x, 1, arm, now.x);
-  follow(wall, at, now.x, mover.sphere[anchor].radius, left, movers.dt, mover.body, x);
+  aspi_add_scaled(now.x, 1, arm, off);
+  follow(wall, at, off, mover.sphere[anchor].radius, left, movers.dt, mover.body, x);
   if (mover.body) {
     mover.set_axes(at.axes);
     mover.arm(anchor, arm);
@@ -98,7 +101,8 @@ static void carry(Stepper &wall, const Movers &movers, int i, double left) {
     aspi_subtract(at.v, off, at.v); /* that of the center of mass */
   }
   movers.place(mover, x);
-  hold_one(wall, at, movers, mover);
+  aspi_subtract(x, now.x, off);
+  hold_one(wall, at, movers, mover, off);
 }
 
 void asperity::freeze(const Touch &touch, const Mover &mover, const Movers &movers,
@@ -201,7 +205,7 @@ void Stepper::hold_stuck(const Movers &movers) {
       aspi_copy(s->v + 3 * static_cast<size_t>(at.i), at.v);
       at.mass = s->mass[at.i];
     }
-    hold_one(*this, place, movers, Mover(movers, at.i));
+    hold_one(*this, place, movers, Mover(movers, at.i), NONE);
   }
   if (movers.grains)
     books.add_kept_loads();
