@@ -98,8 +98,8 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   setup.box = box;
   check_box(setup);
   books.begin_run();
-  books.reorder(spheres.n);
   stepper.begin_run(spheres, shape_now_);
+  books.reorder(spheres.n);
   shape_now_.clear();
   fastest_ = 0;
   check_speeds(spheres);
@@ -149,12 +149,11 @@ void Wall::free_displaced(const Spheres &spheres, double moved) {
 
 void Wall::set_rows(double *state) {
   stepper.rows.state = reinterpret_cast<MoverState *>(state);
-  books.set_states(stepper.rows.state);
 }
 
 void Wall::reorder(const Spheres &spheres) {
-  books.reorder(spheres.n);
   stepper.reorder(spheres);
+  books.reorder(spheres.n);
   check_speeds(spheres);
 }
 

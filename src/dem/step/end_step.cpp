@@ -430,14 +430,14 @@ void asperity::check_ahead(const Walls &walls, const Movers &movers) {
         aspi_copy(NONE, rest.push);
         aspi_copy(NONE, rest.twist);
       }
-      movers.members(*one.wall).ahead.expire(i);
+      movers.members(*one.wall).ahead.watch(i);
     }
   });
 }
 
 void asperity::end_walls(const Walls &walls, const Spheres &spheres, Bodies *bodies) {
   for (Stepper *wall : walls) {
-    wall->books.expire();
+    wall->books.begin_end();
     wall->dt_ahead = spheres.dt;
   }
   end_movers(walls, spheres);

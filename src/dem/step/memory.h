@@ -78,6 +78,11 @@ struct Attitude {
   double step, axes[3][3];
 };
 
+/* Of a particle in a step that has not ended. */
+struct Load {
+  double force[3], point[3]; /* as MoverState shows them at its end */
+};
+
 struct Memory {
   double draws;   /* of valleys, and of faces that it met while it rested */
   double free[3]; /* where it rests, its acceleration without walls at the end of the last step */
@@ -86,6 +91,7 @@ struct Memory {
   std::vector<Rebound> rebound;   /* one, of status REBOUNDED */
   std::vector<Stuck> stuck;       /* one, of status STUCK or TO_DELETE */
   std::vector<Attitude> attitude; /* one, of a body at the first wall of a run */
+  std::vector<Load> load;         /* one, or none */
 
   Memory() : draws(0), free() {}
 
@@ -96,6 +102,7 @@ struct Memory {
     of(rebound);
     of(stuck);
     of(attitude);
+    of(load);
   }
 };
 
@@ -216,7 +223,7 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
 const int PACKED_MOST =
-    10 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
+    11 + static_cast<int>((sizeof(Load) + FACES_MOST * sizeof(FacePlace) +
                            (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
                           sizeof(double));
 static_assert(sizeof(Rebound) <= sizeof(Stuck),

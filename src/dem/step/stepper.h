@@ -26,7 +26,7 @@ class Movers;
 struct StuckOne {
   int i;
   bool was_stopped;
-  bool is_kept; /* its load is among those that the books keep */
+  bool is_kept, is_shown; /* its load is among those that the books keep; and shown as such */
   double x[3], v[3], mass;
   asp_removal flow; /* most 0: not drawn yet */
 };
@@ -60,7 +60,6 @@ struct Stepper {
   Memories rows;
   BodyMemories body_rows;
   Population grains, bodies;
-  bool is_in_step;    /* between carry_stuck() and hold_stuck() */
   bool begins;        /* a run: its first step is to come */
   bool is_rough;      /* in this run */
   bool has_valleys;   /* that hold what rests */

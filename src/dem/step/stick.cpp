@@ -44,7 +44,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   of.any_left = true;
   of.rows.set_status(mover.i, deletes ? Status::TO_DELETE : Status::STUCK);
   wall.has_to_delete = wall.has_to_delete || deletes;
-  of.stuck.push_back(StuckOne{mover.i, false, false, {}, {}, 0, {}});
+  of.stuck.push_back(StuckOne{mover.i, false, false, false, {}, {}, 0, {}});
   Stuck &to = of.rows.stuck(mover.i);
   to = Stuck();
   to.sphere = static_cast<double>(mover.sphere[touch.sphere].tag);
@@ -157,16 +157,16 @@ static inline bool comes_again(const StuckOne &at, const Spheres &s) {
 /* Ends the load of a particle after this share of a step. */
 void Stepper::drop_load(StuckOne &at, double share) {
   if (at.is_kept) {
-    books.drop_load(at.i, at.x, at.v, at.mass, share);
+    books.drop_load(at.i, at.x, at.v, at.mass, at.is_shown ? share : 1);
     rows.stuck(at.i).is_kept = 0;
   }
-  at.was_stopped = at.is_kept = false;
+  at.was_stopped = at.is_kept = at.is_shown = false;
 }
 
 /* If a stuck particle has the same velocity and mass as in the last step, its load is unchanged:
  * the books keep it, and only x and v are reset. */
 void Stepper::carry_stuck(const Movers &movers) {
-  is_in_step = is_still = true;
+  is_still = true;
   for (const Member &member : setup.shapes)
     is_still = is_still && member.shape->is_still() && !member.shape->measures();
   for (StuckOne &at : movers.members(*this).stuck) {
@@ -190,11 +190,13 @@ void Stepper::carry_stuck(const Movers &movers) {
 
 void Stepper::hold_stuck(const Movers &movers) {
   Population &of = movers.members(*this);
-  is_in_step = false;
   for (StuckOne &at : of.stuck) {
     const Spheres *s = movers.grains;
     if (at.is_kept && comes_again(at, *s)) {
       aspi_copy(NONE, s->v + 3 * static_cast<size_t>(at.i));
+      if (!at.is_shown)
+        books.show_kept(at.i);
+      at.is_shown = true;
       continue;
     }
     drop_load(at, 0.5);
@@ -260,7 +262,7 @@ void Stepper::let_go(const Movers &movers) {
       mover.at(*this).rest_at(mover.sphere[mover.anchor(was)].tag, shape,
                               face_now(setup.shapes[shape], was));
     }
-    of.ahead.expire(at.i);
+    of.ahead.watch(at.i);
   }
   of.stuck.resize(kept);
 }
