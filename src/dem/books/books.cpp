@@ -23,7 +23,8 @@ const char *const Books::SUM_NAMES[] = {"impacts",        "deposited_mass",     
 static const size_t SHOWN = 32768;
 
 Books::Books(const Setup &setup)
-    : setup_(setup), rows_(NULL), is_in_step_(false), counters_(), kept_(), step_(), torque_about_() {}
+    : setup_(setup), rows_(NULL), is_in_step_(false), counters_(), kept_(), step_(),
+      torque_about_() {}
 
 void Books::add_shape() {
   const size_t size = setup_.shapes.back().pieces * N_SUMS;

@@ -106,7 +106,8 @@ public:
 
   /* keep_load: repeats this load of a stuck particle, at x, from v, with this mass, in every half
    * step. drop_load: stops repeating it; `share` of the current step has passed. show_kept: the
-   * particle's force, in the first step at its end. add_kept_loads: adds all repeated loads once. */
+   * particle's force, in the first step at its end. add_kept_loads: adds all repeated loads once.
+   */
   void keep_load(int i, const double x[3], const double v[3], double mass);
   void drop_load(int i, const double x[3], const double v[3], double mass, double share);
   void show_kept(int i) {

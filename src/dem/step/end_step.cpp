@@ -381,8 +381,8 @@ static void book_ahead(const std::vector<Hold> &by, const Movers &movers, const 
       aspi_scale(time, p);
       aspi_scale(time, turned);
       if (at.sphere < mover.count && at.shape < one.wall->setup.shapes.size())
-        one.wall->books.add_load(
-            at.shape, mover.load(at.sphere, at.piece, at.x, at.n, now.x, p, turned));
+        one.wall->books.add_load(at.shape,
+                                 mover.load(at.sphere, at.piece, at.x, at.n, now.x, p, turned));
     }
 }
 

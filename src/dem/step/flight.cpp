@@ -59,7 +59,7 @@ Flight::Flight(Mover &m, const Movers &movers, const Instant &now,
       aspi_add_scaled(free, -1, rest.push, free);
   aspi_copy(now.spin, spin);
   for (int d = 0; d < 3; d++)
-    turning[d] = lift[d] = settled[d] = swing[d] = 0;
+    turning[d] = lift[d] = settled[d] = 0;
   if (m.body)
     turn_back(*walls[0]);
 }
@@ -140,18 +140,8 @@ double Flight::farthest() const {
   return most;
 }
 
-void Flight::move(const double to[3]) {
-  double by[3], turns[3];
-  aspi_subtract(to, path.x, by);
-  aspi_cross(by, half, turns);
-  aspi_add_scaled(swing, 1, turns, swing);
-  aspi_copy(to, path.x);
-}
-
 void Flight::go_on(double time) {
-  double to[3];
-  aspi_add_scaled(path.x, time, path.v, to);
-  move(to);
+  aspi_add_scaled(path.x, time, path.v, path.x);
   velocity(time, begin);
   path.left = time < path.left ? path.left - time : 0;
   if (mover.is_ball)
@@ -178,14 +168,13 @@ void Flight::leap(double time) {
 void Flight::advance(const Touch &touch, double v[3]) {
   velocity(touch.time, v);
   if (mover.is_ball) {
-    move(touch.x);
+    aspi_copy(touch.x, path.x);
     path.left = std::max(0.0, path.left - touch.time);
   } else {
     double arm[3];
     go_on(touch.time);
     mover.arm(touch.sphere, arm);
-    aspi_subtract(touch.x, arm, arm);
-    move(arm);
+    aspi_subtract(touch.x, arm, path.x);
   }
   aspi_copy(v, begin);
 }
@@ -329,24 +318,13 @@ Held &Flight::add_sustained(const Touch &touch, double hold) {
   Held &one = sustained.back();
   static_cast<Touch &>(one) = touch;
   one.set(mover, hold);
-  aspi_copy(path.x, one.met);
   aspi_add_scaled(one.w, 0.5 * path.left * touch.follow + touch.chord, touch.n, one.w);
 
   double before[3];
-  const auto add_swing = [this](double sign) { /* their impulses change here, not where they met */
-    double off[3], turns[3];
-    for (const Held &each : sustained) {
-      aspi_subtract(path.x, each.met, off);
-      aspi_cross(off, each.p, turns);
-      aspi_add_scaled(swing, sign, turns, swing);
-    }
-  };
-  add_swing(-1);
   aspi_copy(half, before);
   aspi_copy(free_half, half);
   mover.spin_of(free_momentum, spin);
   squeezed = !solve_held(mover, sustained, half, spin) || squeezed;
-  add_swing(1);
   set_spin(spin);
   for (int d = 0; d < 3; d++)
     path.v[d] += half[d] - before[d];
@@ -433,14 +411,13 @@ void Flight::share(const double change[3], const double turned[3]) {
     double p[3];
     aspi_copy(one.p, p);
     aspi_scale(part, p);
-    const double equal = size > 0 ? aspi_length(one.p) / size
-                                  : 1 / static_cast<double>(all.size());
+    const double equal = size > 0 ? aspi_length(one.p) / size : 1 / static_cast<double>(all.size());
     aspi_add_scaled(p, equal, left, p);
     double turn[3];
     aspi_copy(turned, turn);
     aspi_scale(1 / static_cast<double>(all.size()), turn);
-    one.wall->books.add_load(
-        one.shape, mover.load(one.sphere, one.piece, one.x, one.n, path.x, p, turn));
+    one.wall->books.add_load(one.shape,
+                             mover.load(one.sphere, one.piece, one.x, one.n, path.x, p, turn));
   }
 }
 
@@ -456,21 +433,17 @@ void Flight::trap() {
     aspi_add_scaled(x, -part, arm, x);
     aspi_add_scaled(v, part, one.v_wall, v);
   }
-  move(x);
+  aspi_copy(x, path.x);
   aspi_subtract(v, half, change);
   aspi_subtract(series_spin, spin, turned);
   for (size_t k = series_begin; k < impacts.size(); k++) {
     const Impact &one = impacts[k];
-    double p[3], turn[3], off[3];
+    double p[3], turn[3];
     --mover.at(*one.wall).impacts();
     aspi_subtract(one.result.v2, one.v1, p);
     aspi_subtract(one.result.omega, one.omega1, turn);
     aspi_add_scaled(change, 1, p, change);
     aspi_add_scaled(turned, 1, turn, turned);
-    aspi_subtract(one.contact.x, one.lever, off);
-    aspi_subtract(off, x, off);
-    aspi_cross(off, p, turn);
-    aspi_add_scaled(swing, 1, turn, swing);
   }
   impacts.erase(impacts.begin() + static_cast<std::ptrdiff_t>(series_begin), impacts.end());
   share(change, turned);
@@ -479,15 +452,4 @@ void Flight::trap() {
   aspi_copy(v, path.v);
   aspi_copy(v, half);
   aspi_copy(NONE, lift);
-}
-
-/* The end of the step, behind the last contact. */
-void Flight::end(const Touch &last, bool moves) {
-  settle();
-  if (moves && path.left > 0)
-    leap(path.left);
-  ContactLoad load = mover.load(last.sphere, last.piece, last.x, NONE, path.x, NONE, NULL);
-  aspi_copy(swing, load.couple);
-  aspi_scale(-mover.mass, load.couple);
-  last.wall->books.add_load(last.shape, load);
 }

@@ -39,11 +39,11 @@ struct Flight {
 
   std::vector<Impact> impacts; /* of the step */
 
-  /* Contacts being solved together, those of the path, and velocity and angular momentum before them. */
+  /* Contacts being solved together, those of the path, and velocity and angular momentum before
+   * them. */
   std::vector<Held> sustained, along;
   double free_half[3], free_momentum[3];
   double settled[3]; /* impulses per mass of those that are over */
-  double swing[3];   /* angular momentum per mass by a path that is not along the velocity */
   bool squeezed;     /* no velocity satisfies all of them */
 
   bool searches_all; /* false as long as it meets known faces only, on its known way */
@@ -84,10 +84,8 @@ struct Flight {
   void sustain(const Touch &touch, double hold);
   void settle();
   void trap();
-  void end(const Touch &last, bool moves);
 
 private:
-  void move(const double to[3]);
   void turn_back(const Stepper &first);
   void act_along(const double n[3], double ahead[3]) const;
   void turn_alone(double time, double to[3][3]) const;

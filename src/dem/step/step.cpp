@@ -360,9 +360,9 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
     last.wall->is_cut = true;
     flight.path.left = 0;
   }
+  flight.settle();
   if (by >= 0)
     stuck = touches[static_cast<size_t>(by)];
-  flight.end(last, by < 0);
   return true;
 }
 
@@ -426,6 +426,8 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
            flight.path.left);
     return;
   }
+  if (flight.path.left > 0)
+    flight.leap(flight.path.left);
   movers.place(mover, flight.path.x);
   movers.write(mover, flight.half, flight.spin);
   note_energy(flight);

@@ -76,7 +76,8 @@ void Stepper::reorder(const Spheres &s) {
     std::vector<Load> &load = rows.own(one.i).load;
     if (at.is_kept > 0 && books.is_in_step() && load.empty()) {
       load.push_back(Load());
-      aspi_add_scaled(load[0].force, 0.5, rows.state[one.i].force, load[0].force); /* a half is over */
+      aspi_add_scaled(load[0].force, 0.5, rows.state[one.i].force,
+                      load[0].force); /* a half is over */
       aspi_copy(rows.state[one.i].point, load[0].point);
     }
     at.is_kept = 0;

@@ -60,8 +60,8 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
 
 /* Gives a stuck mover, which is shifted in its place, the velocity of its wall, with the load that
  * holds it. */
-static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
-                     const Mover &mover, const double shift[3]) {
+static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers, const Mover &mover,
+                     const double shift[3]) {
   Instant now;
   double change[3], turn[3], center[3], swing[3];
   movers.read(mover, now);
