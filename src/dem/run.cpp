@@ -55,12 +55,17 @@ void Run::begin(bool is_setup) {
   has_begun_ = true;
 }
 
-void Run::push() {
+void Run::push_spheres() {
   if (walls_.back() != this)
     return;
   for (Run *each : walls_)
     each->set_rows();
   push_again(steppers(), spheres());
+}
+
+void Run::push_bodies() {
+  if (walls_.back() != this)
+    return;
   Run &first = *walls_.front();
   if (Bodies *all = first.take_bodies()) {
     push_again(steppers(), *all);

@@ -33,7 +33,8 @@ public:
 
   /* After the forces of a set-up, of which the engine has computed only its own: adds those of the
    * walls. The last wall does it for all of them. Collective. */
-  void push();
+  void push_spheres();
+  void push_bodies();
 
   /* All contacts of a step, and its end after the forces; the first wall does both for all of them.
    * Collective. */

@@ -122,6 +122,14 @@ void BodiesOfLammps::init() {
   }
 }
 
+bool BodiesOfLammps::stand_before(const Fix *fix) const {
+  const Modify *modify = lammps_->modify;
+  bool all = true;
+  for (int i = modify->nfix - 1; i >= 0 && modify->fix[i] != fix; i--)
+    all = all && std::find(fixes_.begin(), fixes_.end(), modify->fix[i]) == fixes_.end();
+  return all;
+}
+
 Fix *BodiesOfLammps::fix_of(int i) const {
   for (Fix *fix : fixes_)
     if (of(fix, &Small::bodytag)[i] > 0)

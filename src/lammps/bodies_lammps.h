@@ -25,6 +25,9 @@ public:
   /* Before a run: finds the fixes. */
   void init();
 
+  /* True if all of them stand before a fix in the script, and act before it. */
+  bool stand_before(const Fix *fix) const;
+
   bool any() const override {
     return !fixes_.empty();
   }

@@ -66,12 +66,13 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   bigint last_step; /* that the wall knows of */
   bool steps;       /* this run has steps, which a rerun has not */
   bool from_restart;
-  double stuck; /* particles of all ranks, when a run began or ended */
-  int type;     /* of the wall */
+  bool owes_bodies; /* the forces of walls, in the first step of a run */
+  double stuck;     /* particles of all ranks, when a run began or ended */
+  int type;         /* of the wall */
 
   Parts(LAMMPS *lammps, Fix *fix)
       : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix), last_step(0),
-        steps(false), from_restart(false), stuck(0), type(0) {}
+        steps(false), from_restart(false), owes_bodies(false), stuck(0), type(0) {}
 
   void fail(const std::string &what) const override {
     program_->error->all(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
@@ -227,7 +228,7 @@ asperity::WallFix<EngineOfLammps> &FixWallRebound::wall_fix() {
 }
 
 int FixWallRebound::setmask() {
-  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR |
+  return INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR |
          END_OF_STEP | POST_RUN;
 }
 
@@ -275,7 +276,18 @@ void FixWallRebound::setup(int) {
     }
   });
   p_->begin(true);
-  p_->attempt([this] { p_->push(); });
+  p_->push_spheres();
+  p_->owes_bodies = !p_->of_bodies.stand_before(this);
+  if (!p_->owes_bodies)
+    p_->attempt([this] { p_->push_bodies(); });
+}
+
+/* Fixes of bodies behind this one have set up their forces later. */
+void FixWallRebound::initial_integrate(int) {
+  if (!p_->owes_bodies)
+    return;
+  p_->owes_bodies = false;
+  p_->attempt([this] { p_->push_bodies(); });
 }
 
 void FixWallRebound::Parts::begin_step() {

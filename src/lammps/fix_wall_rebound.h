@@ -27,6 +27,7 @@ public:
 
   int setmask() override;
   void init() override;
+  void initial_integrate(int vflag) override;
   void setup(int vflag) override;
   void pre_exchange() override;
   void pre_neighbor() override;

@@ -363,7 +363,8 @@ void FixWallRebound::pre_initial_integrate() {
   if (!is_set_up_)
     return;
   is_set_up_ = false;
-  attempt([this] { push(); });
+  push_spheres();
+  attempt([this] { push_bodies(); });
 }
 
 void FixWallRebound::begin_step() {

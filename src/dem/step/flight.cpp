@@ -50,9 +50,13 @@ Flight::Flight(Mover &m, const Movers &movers, const Instant &now,
   aspi_copy(v0, begin);
   aspi_copy(acceleration, a0);
   aspi_copy(acceleration, free);
+  double push = 0;
   for (Stepper *wall : walls)
-    for (const Rest &rest : mover.at(*wall).rests())
+    for (const Rest &rest : mover.at(*wall).rests()) {
       aspi_add_scaled(free, -1, rest.push, free);
+      push = std::max(push, aspi_dot(rest.push, rest.push));
+      is_led = push > 0; /* else nothing has held it in this step */
+    }
   aspi_copy(now.spin, spin);
   for (int d = 0; d < 3; d++)
     turning[d] = lift[d] = settled[d] = 0;
