@@ -93,40 +93,51 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
  * space for a pair. */
 static asp_code impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
                                 const double v1[3], const double n[3], const asp_key *key,
-                                asp_impact *impact) {
+                                const aspi_ratios *ratios, asp_impact *impact) {
   asp_pair pair;
+  asp_wall held;
+  const asp_wall *met = aspi_wall_met(wall, particle, key, &held);
+  if (!met) {
+    pass(particle, v1, impact);
+    return ASP_ERANGE;
+  }
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);
-  return impact_on(wall, rough, &own, v1, n, key, NULL, impact);
+  return impact_on(met, rough, &own, v1, n, key, ratios, impact);
 }
 
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact) {
-  return wall->varies ? impact_of_grain(wall, wall->rough, particle, v1, n, key, impact)
+  return wall->varies ? impact_of_grain(wall, wall->rough, particle, v1, n, key, NULL, impact)
                       : impact_on(wall, wall->rough, particle, v1, n, key, NULL, impact);
 }
 
 asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
                               const double v1[3], const double n[3], const asp_key *key,
                               asp_impact *impact) {
-  return wall->varies ? impact_of_grain(wall, false, particle, v1, n, key, impact)
+  return wall->varies ? impact_of_grain(wall, false, particle, v1, n, key, NULL, impact)
                       : impact_on(wall, false, particle, v1, n, key, NULL, impact);
 }
 
-static asp_code fail_law(const asp_wall *wall, asp_code code, asp_error *error) {
-  return code ? aspi_fail(error, code,
-                          "rebound law '%s' needs a pair of materials, and neither the particle "
-                          "nor the wall has one",
-                          wall->law->name)
-              : ASP_OK;
+static asp_code fail_law(const asp_wall *wall, asp_code code, double temperature,
+                         asp_error *error) {
+  if (code == ASP_ERANGE)
+    return asp_wall_sticking(wall, temperature, NULL, error);
+  return aspi_fail(error, code,
+                   "rebound law '%s' needs a pair of materials, and neither the particle nor the "
+                   "wall has one",
+                   wall->law->name);
 }
 
 asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           asp_impact *impacts, asp_error *error) {
-  asp_code code = ASP_OK;
-  for (size_t i = 0; i < n && !code; i++)
-    code = asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
-  return fail_law(wall, code, error);
+  for (size_t i = 0; i < n; i++) {
+    asp_code code =
+        asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
+    if (code)
+      return fail_law(wall, code, particles[i].temperature, error);
+  }
+  return ASP_OK;
 }
 
 static bool has_weights(const asp_wall *wall) {
@@ -169,7 +180,6 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,
                           double *weights, asp_error *error) {
-  asp_code code = ASP_OK;
   for (size_t k = 0; k <= n_others; k++) {
     const asp_wall *of = k < n_others ? others[k] : wall;
     if (!has_weights(of) || of->isotropic != wall->isotropic)
@@ -179,18 +189,19 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
           "has a density, as visible, collisions multiple, and the same tilt",
           of->spread->name);
   }
-  for (size_t i = 0; i < n && !code; i++) {
+  for (size_t i = 0; i < n; i++) {
     aspi_ratios ratios = {n_others, others, weights + i * n_others};
     memset(ratios.log, 0, n_others * sizeof *ratios.log);
     if (check_steeper(wall, &particles[i], normals + 3 * i, &ratios, error))
       return ASP_ERANGE;
-    asp_pair pair;
-    asp_particle own = aspi_as_grain(wall, &particles[i], &keys[i], &pair);
-    code = impact_on(wall, true, &own, v1 + 3 * i, normals + 3 * i, &keys[i], &ratios, &impacts[i]);
+    asp_code code = impact_of_grain(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i,
+                                    &keys[i], &ratios, &impacts[i]);
+    if (code)
+      return fail_law(wall, code, particles[i].temperature, error);
   }
   for (size_t i = 0; i < n * n_others; i++)
     weights[i] = exp(weights[i]);
-  return fail_law(wall, code, error);
+  return ASP_OK;
 }
 
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],

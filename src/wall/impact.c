@@ -14,6 +14,7 @@
 #include "wall/roughness.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Smith's Lambda is under 1e-13 for nu above NU_FREE, and overflows for nu below NU_LEAST. */
 #define NU_FREE 5.2
@@ -398,8 +399,25 @@ asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, c
   }
   if (wall->flow.adhesion > 0)
     pair->surface_energy *= aspi_flow_share(&wall->flow, own.d_p, key);
+  aspi_heat_soften(wall->heat, aspi_heat_of(wall->heat, own.temperature), pair);
   own.pair = pair;
   return own;
+}
+
+const asp_wall *aspi_wall_met(const asp_wall *wall, const asp_particle *particle,
+                              const asp_key *key, asp_wall *held) {
+  const double kelvin = aspi_heat_of(wall->heat, particle->temperature);
+  if (!aspi_heat_counts(wall->heat) || (wall->law->needs_pair && !particle->pair && !wall->pair))
+    return wall;
+  if (aspi_heat_check(wall->heat, kelvin, NULL))
+    return NULL;
+  if (!(aspi_stream_apart(key) < aspi_heat_share(wall->heat, kelvin)))
+    return wall;
+  *held = *wall;
+  held->law = &aspi_rebound_constant; /* of coefficients that are 0 */
+  held->spins = false;
+  memset(held->parameters, 0, sizeof held->parameters);
+  return held;
 }
 
 /* A slope s_eff x with the density x exp(-x^2/2), the law of faces met along the wall. */
@@ -444,6 +462,10 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
                              const double n[3], double press, const asp_key *key,
                              asp_impact *impact) {
   asp_pair pair;
+  asp_wall held;
+  wall = aspi_wall_met(wall, particle, key, &held);
+  if (!wall)
+    return false;
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);
   particle = &own;
   frame f = frame_of(touching(particle, load(v1)), load(n));

@@ -14,9 +14,15 @@ static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_partic
   return own;
 }
 
-/* The same with the grain's own yield stress and adhesion, in *pair. */
+/* The same with the grain's own yield stress and adhesion, and the modulus at its temperature, in
+ * *pair. */
 asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, const asp_key *key,
                            asp_pair *pair);
+
+/* The wall that a grain meets: this one, or `held`, a copy from which nothing rebounds, where the
+ * grain sticks by its viscosity. NULL if the wall's curves do not hold at its temperature. */
+const asp_wall *aspi_wall_met(const asp_wall *wall, const asp_particle *particle,
+                              const asp_key *key, asp_wall *held);
 
 /* Log likelihood ratios of an impact's draws: on each of n other walls, over the impact's wall. */
 typedef struct aspi_ratios {
