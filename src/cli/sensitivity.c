@@ -107,12 +107,12 @@ static void take_heading(study *s, const char *name, const char *heading) {
 static void weigh(study *s, size_t line, const double fields[], aspi_drawn *d) {
   asp_impact is;
   double lay[3], weights[WALLS_MOST], *self = d->self;
-  asp_particle particle = {
-      .d_p = fields[D_P],
-      .density = s->has_mass ? fields[MASS] / (ASP_PI / 6 * pow(fields[D_P], 3)) : s->own.density,
-      .pair = s->own.pair,
-      .lay = cli_description_lay(&s->own, lay),
-      .temperature = fields[KELVIN] > 0 ? fields[KELVIN] : 0};
+  asp_particle particle = {.d_p = fields[D_P],
+                           .density = s->has_mass ? fields[MASS] / ASP_SPHERE_VOLUME(fields[D_P])
+                                                  : s->own.density,
+                           .pair = s->own.pair,
+                           .lay = cli_description_lay(&s->own, lay),
+                           .temperature = fields[KELVIN] > 0 ? fields[KELVIN] : 0};
   memcpy(particle.omega, fields + SPIN, sizeof particle.omega);
   asp_key key = {s->key.seed, s->key.wall, (uint64_t)fields[TAG], (uint32_t)fields[IMPACT]};
   cli_must(!asp_wall_weights(s->own.wall, 1, &particle, fields + BEFORE, fields + NORMAL, &key,
@@ -164,13 +164,13 @@ static void add_row(study *s, size_t line, const double fields[]) {
 static void read_ledger(study *s, const char *name) {
   static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
   double fields[SCATTER_COLUMNS];
-  cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
+  cli_scatter ledger = cli_scatter_open(s->path, PLACE);
   take_heading(s, name, ledger.table->header);
-  ledger.at[POINT] = ledger.at[POINT + COR_T] =
+  ledger.column_of[POINT] = ledger.column_of[POINT + COR_T] =
       -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
     cli_scatter_need(&ledger, needed[i], "");
-  for (int c = MASS; c < SCATTER_COLUMNS; c++)
+  for (int c = MASS; c < PLACE; c++)
     cli_scatter_need(&ledger, c, "; a ledger has it with 'columns full'");
   while (cli_scatter_row(&ledger, fields))
     add_row(s, ledger.table->text.line, fields);

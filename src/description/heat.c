@@ -30,7 +30,7 @@ static asp_code read_curve(aspi_words *r, const aspi_keyword *k, aspi_curve *cur
                                 r->error);
 }
 
-bool aspi_curve_more(aspi_words *r, const aspi_keyword *k, asp_code *code) {
+bool aspi_curve_take(aspi_words *r, const aspi_keyword *k, asp_code *code) {
   aspi_heat *heat = &r->d->choice.heat;
   aspi_curve *curve = is_modulus(k) ? &heat->modulus : &heat->viscosity;
   const aspi_curve_form *form = aspi_curve_forms;

@@ -139,8 +139,6 @@ const aspi_keyword aspi_keywords[] = {
      .in_si = true, .needs = ASPI_PAIR},
     {WORD("soften_modulus", "wall_temperature", "T", "", "temperature of the wall"),
      NUMBER("K", choice.heat.wall_temperature), FROM(0, 1e5), .above = true, .needed = true},
-    {WORD("rebound", "scatter_twice", "", "no", "allow the law's own scatter on a rough wall"),
-     SETS(choice.scatter_twice, true)},
     {WORD("materials", "file", "FILE", "",
           "materials of your own, as `asperity materials` prints them"),
      .string = AT(materials_file)},

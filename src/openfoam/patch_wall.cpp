@@ -75,8 +75,7 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   if (asp_wall_impact(wall_.get(), &sphere, parcel.v1, parcel.n, &key, &hit) &&
       asp_wall_sticking(wall_.get(), sphere.temperature, NULL, &wrong))
     throw Error(wrong.text);
-  const double d = sphere.d_p;
-  hit.mass = parcel.number * sphere.density * ASP_PI / 6 * d * d * d;
+  hit.mass = parcel.number * sphere.density * ASP_SPHERE_VOLUME(sphere.d_p);
   hit.eroded_mass = hit.mass * hit.eroded;
   for (int k = 0; k < 3; k++) {
     hit.energy += hit.mass / 2 * parcel.v1[k] * parcel.v1[k];
@@ -89,7 +88,7 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   row[L::IMPACT] = key.impact;
   row[L::TIME] = parcel.time;
   row[L::MESH] = parcel.patch + 1;
-  row[L::D_P] = d;
+  row[L::D_P] = sphere.d_p;
   row[L::OUTCOME] = hit.outcome == ASP_REBOUND ? 0 : deletes ? 2 : 1;
   row[L::STEP] = parcel.step;
   row[L::MASS] = hit.mass;

@@ -162,14 +162,10 @@ static asp_code check_curve(const aspi_curve *c, const char *of, double kelvin, 
   const double least = c->n_points ? t[0] : c->form->least ? c->form->least(c->parameters) : 0;
   if (kelvin <= last && (c->n_points ? kelvin >= least : kelvin > least))
     return ASP_OK;
-  return c->n_points ? aspi_fail(error, ASP_ERANGE,
-                                 "%s is asked for at %g K; the table '%.150s' is from "
-                                 "%g to %g K",
-                                 of, kelvin, c->file, least, last)
-                     : aspi_fail(error, ASP_ERANGE,
-                                 "%s is asked for at %g K; with '%s' it must be more "
-                                 "than %g K",
-                                 of, kelvin, c->form->name, least);
+  return aspi_fail(error, ASP_ERANGE,
+                   c->n_points ? "%s is asked for at %g K; its %s is from %g to %g K"
+                               : "%s is asked for at %g K; its form '%s' is for more than %g K",
+                   of, kelvin, c->form->name, least, last);
 }
 
 asp_code aspi_heat_check(const aspi_heat *heat, double kelvin, asp_error *error) {

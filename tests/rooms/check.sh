@@ -14,7 +14,7 @@ say() { echo "FAILED: $*"; bad=1; }
 # installed. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
-  [analysis]='base surface readers spread rebound erosion wall description'
+  [analysis]='base contact surface readers spread rebound erosion wall description'
   [surface]='base'
   [readers]='base surface'
   [spread]='base surface'
@@ -28,7 +28,7 @@ declare -A knows=(
   [lammps]='base contact dem'
   [openfoam]='base dem'
   [python]=''
-  [cli]='base surface readers spread rebound erosion wall description analysis'
+  [cli]='base contact surface readers spread rebound erosion wall description analysis'
 )
 engines=' liggghts lammps openfoam '
 with_mpi=" dem$engines"
@@ -81,7 +81,7 @@ rebound,asp_rebound_law,laws,ASP_REBOUND_LAWS(X),Restitution laws,rebound
 spread,asp_spread_model,models,ASP_SPREAD_MODELS(X),Spread models,
 erosion,aspi_erosion_law,laws,ASPI_EROSION_LAWS(X),Erosion,erosion
 END
-[ $records -ge 20 ] || say "only $records laws and models were found"
+[ $records -ge 19 ] || say "only $records laws and models were found"
 
 looked=0
 while IFS=: read -r file include; do

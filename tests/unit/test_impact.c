@@ -42,7 +42,7 @@ static double dot(const double *a, const double *b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0, 0};
+static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0, 0, 0};
 static const asp_particle grain = {.d_p = 1e-5, .density = 2650, .pair = &quartz_on_nickel};
 static const double up[3] = {0, 0, 1};
 
@@ -460,9 +460,8 @@ static void properties(void **state) {
     setup s = setup_create(model->name, "bons", slope);
     const asp_rebound_law *law = asp_rebound_at(i / models % laws);
     aspi_wall_choose_law(&s.choice, law);
-    if (law->scatters)
+    if (law->scatters && strcmp(model->name, "none") == 0)
       set_parameter(&s.choice, "scatter", gsl_rng_uniform(rng));
-    s.choice.scatter_twice = true;
     s.choice.deposit = gsl_rng_uniform_int(rng, 2);
     s.choice.isotropic = gsl_rng_uniform_int(rng, 2);
     s.choice.multiple = gsl_rng_uniform_int(rng, 2);
