@@ -30,9 +30,10 @@
 
 enum { A, B, C, N_VFT };
 static const aspi_keyword vft_parameters[N_VFT] = {
-    [A] = {"a", "", 0, -1e3, 1e3, "log10 of the viscosity in Pa s where the temperature is high"},
-    [B] = {"b", "K", 0, 0, 1e6, "how fast it falls", .above = true},
-    [C] = {"c", "K", 0, 0, 1e5, "temperature at which it is infinite"},
+    [A] = {"a", "", 0, -1e3, 1e3, "log10 of the viscosity in Pa s where the temperature is high",
+           .word = ""},
+    [B] = {"b", "K", 0, 0, 1e6, "how fast it falls", .above = true, .word = ""},
+    [C] = {"c", "K", 0, 0, 1e5, "temperature at which it is infinite", .word = ""},
 };
 
 static double vft(const aspi_curve *curve, double kelvin) {
@@ -46,11 +47,11 @@ static double vft_least(const double *p) {
 
 enum { SIO2, AL2O3, FE2O3, CAO, MGO, N_WATT };
 static const aspi_keyword watt_parameters[N_WATT] = {
-    [SIO2] = {"sio2", "", 0, 0, 100, "percent of the mass, here and below"},
-    [AL2O3] = {"al2o3", "", 0, 0, 100, "see sio2"},
-    [FE2O3] = {"fe2o3", "", 0, 0, 100, "all iron as this oxide"},
-    [CAO] = {"cao", "", 0, 0, 100, "see sio2"},
-    [MGO] = {"mgo", "", 0, 0, 100, "see sio2"},
+    [SIO2] = {"sio2", "", 0, 0, 100, "percent of the mass, here and below", .word = ""},
+    [AL2O3] = {"al2o3", "", 0, 0, 100, "see sio2", .word = ""},
+    [FE2O3] = {"fe2o3", "", 0, 0, 100, "all iron as this oxide", .word = ""},
+    [CAO] = {"cao", "", 0, 0, 100, "see sio2", .word = ""},
+    [MGO] = {"mgo", "", 0, 0, 100, "see sio2", .word = ""},
 };
 
 static double sum_of(const double *p) {
@@ -88,8 +89,9 @@ static asp_code watt_check(const double *p, asp_error *error) {
 
 enum { E0, K, N_EXP };
 static const aspi_keyword exp_parameters[N_EXP] = {
-    [E0] = {"e0", "stress", 0, 0, INFINITY, "modulus if it grew on to 0 K", .above = true},
-    [K] = {"k", "1/K", 0, 0, 1, "share that is lost per kelvin"},
+    [E0] = {"e0", "stress", 0, 0, INFINITY, "modulus if it grew on to 0 K", .above = true,
+            .word = ""},
+    [K] = {"k", "1/K", 0, 0, 1, "share that is lost per kelvin", .word = ""},
 };
 
 static double exponential(const aspi_curve *curve, double kelvin) {

@@ -31,7 +31,7 @@ static asp_impact hit(const asp_wall *wall, const asp_pair *pair, const double v
   return impact;
 }
 
-static const double still[3] = {0, 0, 0, 0};
+static const double still[3] = {0, 0, 0};
 
 /* Kharaz, Gorham & Salman 2001: 5 mm alumina on glass, 3.9 m/s, e 0.98, mu 0.092. Sliding needs no
  * other constant; between sliding and normal impact the contact gives way. */
