@@ -60,7 +60,7 @@ static void shares_by_hand(void **state) {
   asp_wall_free(wall);
 }
 
-enum { IMPACTS = 20000 };
+enum { IMPACTS = 8000 };
 
 /* Impacts at a temperature: how many stick. Those that rebound do so as on `cold`. */
 static int count_stuck(const asp_wall *wall, const asp_wall *cold, double kelvin, double angle,
