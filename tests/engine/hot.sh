@@ -16,6 +16,7 @@ heats='1380. 1450. 1520. 1600.'
 script() { # DATA VALUES WORDS LINES
   boundary='m m f' flying "$1"
   echo "$property"
+  [ -z "$2" ] || [ $simulator = lammps ] || echo 'run 0' # before the first `set` of a property
   local group=0 value
   for value in $2; do
     echo "group g$group id <> $((1000 * group + 1)) $((1000 * group + 1000))"
