@@ -27,8 +27,8 @@ public:
 
   int setmask() override;
   void init() override;
-  void initial_integrate(int vflag) override;
   void setup(int vflag) override;
+  void initial_integrate(int vflag) override;
   void pre_exchange() override;
   void pre_neighbor() override;
   void post_neighbor() override;
