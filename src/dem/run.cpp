@@ -64,7 +64,7 @@ void Run::push_spheres() {
 }
 
 void Run::push_bodies() {
-  if (walls_.back() != this || !walls_.front()->bodies().any())
+  if (walls_.back() != this)
     return;
   Run &first = *walls_.front();
   if (Bodies *all = first.take_bodies()) {
@@ -88,6 +88,7 @@ void Run::step() {
       if (grow)
         each->wall.stepper.clear_ahead();
       each->begin_step();
+      each->wall.setup.find_temperatures();
       if (!each->is_checked_)
         each->check_use();
       each->is_checked_ = true;

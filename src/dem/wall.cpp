@@ -13,7 +13,7 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger torque_about interlock ";
+const char Wall::KEYWORDS[] = "ledger torque_about interlock temperature_of ";
 
 /* ---- the command ------------------------------------------------------------------------------
  */
@@ -69,7 +69,9 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
     if (words.is("map"))
       throw Error("'map' is of the triangles of LAMMPS's 'stl FILE'; LIGGGHTS writes those of a "
                   "mesh by 'dump mesh/vtk'");
-    if (words.take("interlock")) {
+    if (words.take("temperature_of"))
+      setup.temperature_of = words.word("the value of 'temperature_of'");
+    else if (words.take("interlock")) {
       const std::string word = words.word("the value of 'interlock'");
       if (word != "on" && word != "off")
         throw Error("interlock is '" + word + "'; it must be on or off");
@@ -77,7 +79,7 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
     } else
       setup.model.parse(words, KEYWORDS + own_words);
   }
-  setup.model.finish();
+  setup.model.finish(!setup.temperature_of.empty());
   check_lay(setup);
 }
 
@@ -86,6 +88,7 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
 
 void Wall::init(int64_t step, double dt) {
   setup.model.prepare(wall_types(setup));
+  setup.find_temperatures();
   setup.set_clock(step, dt);
   books.init();
   const std::string report = setup.model.take_report();
@@ -98,8 +101,8 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   setup.box = box;
   check_box(setup);
   books.begin_run();
-  books.reorder(spheres.n);
   stepper.begin_run(spheres, shape_now_);
+  books.reorder(spheres.n);
   shape_now_.clear();
   fastest_ = 0;
   check_speeds(spheres);
@@ -139,12 +142,11 @@ void Wall::check_use(const Bounds *box, const char *empty_group) {
 
 void Wall::set_rows(double *state) {
   stepper.rows.state = reinterpret_cast<MoverState *>(state);
-  books.set_states(stepper.rows.state);
 }
 
 void Wall::reorder(const Spheres &spheres) {
-  books.reorder(spheres.n);
   stepper.reorder(spheres);
+  books.reorder(spheres.n);
   check_speeds(spheres);
 }
 
@@ -235,10 +237,13 @@ std::vector<char> Wall::save() {
 }
 
 Settings Wall::settings() const {
-  return Settings{{"geometry", setup.geometry},
-                  {"description", setup.model.description()},
-                  {"interlock", setup.interlocks ? "on" : "off"},
-                  {"torque_about", books.torque_about()}};
+  Settings all{{"geometry", setup.geometry},
+               {"description", setup.model.description()},
+               {"interlock", setup.interlocks ? "on" : "off"},
+               {"torque_about", books.torque_about()}};
+  if (!setup.temperature_of.empty())
+    all.push_back({"temperature_of", setup.temperature_of});
+  return all;
 }
 
 /* The script is what counts; but it should not differ unnoticed. */
@@ -251,6 +256,7 @@ void Wall::restore(const char *record) {
                       changes);
   setup.model.set_sizes(saved.d_range);
   setup.clock = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
+  stepper.dt_ahead = setup.clock.dt;
   restore_meshes(saved);
   if (setup.engine.rank() == 0) /* from which they are claimed */
     stepper.body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {
