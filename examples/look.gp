@@ -32,7 +32,6 @@ model_rejection = 23; set style line model_rejection lc rgb '#000000' lw 2 dt 1 
 model_effective = 24; set style line model_effective lc rgb '#e69f00' lw 2 dt (12,3) pt 6 ps 1.5
 model_truncated = 25; set style line model_truncated lc rgb '#009e73' lw 2 dt (12,3,3,3) pt 8 ps 1.5
 model_weibull = 26; set style line model_weibull lc rgb '#cc79a7' lw 2 dt 1 pt 10 ps 1.5
-model_multicollision = 27; set style line model_multicollision lc rgb '#8c5a2b' lw 2 dt (6,3) pt 12 ps 1.5
 model_visible = 28; set style line model_visible lc rgb '#0072b2' lw 2 dt 1 pt 5 ps 1.3
 model_profile = 29; set style line model_profile lc rgb '#56b4e9' lw 2 dt 1 pt 9 ps 1.5
 model_traced = 30; set style line model_traced lc rgb '#5e3c99' lw 2 dt (18,3,3,3) pt 14 ps 1.5

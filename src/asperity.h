@@ -49,6 +49,7 @@ extern "C" {
 const char *asp_version(void);
 
 #define ASP_PI 3.14159265358979323846
+#define ASP_SPHERE_VOLUME(d_p) (ASP_PI / 6 * (d_p) * (d_p) * (d_p))
 
 /* ---- errors ---------------------------------------------------------------------------------- */
 typedef enum asp_code {

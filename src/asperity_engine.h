@@ -103,7 +103,7 @@ typedef struct asp_check_input {
  * of a file that the library read; a file too coarse for the smallest particles; a law or model
  * that does not suit the wall; density more than 1 % off the material's; yield stress above a tenth
  * of the composite modulus; adhesion that holds every impact. */
-bool asp_warning(const asp_check_input *question, int index, char *text, size_t size);
+bool asp_warning(const asp_check_input *input, int index, char *text, size_t size);
 
 /* The speed below which a normal impact of the particle sticks to the mean wall: 0 if the law
  * needs no pair, if nothing sticks, or below 0.001 m/s; INFINITY if every impact up to 10 km/s

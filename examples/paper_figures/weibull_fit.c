@@ -110,7 +110,7 @@ static void fit_angle(angle_fit *f, int runs, size_t samples, uint32_t seed, uin
 
 /* True if a model has its own density over delta, so that the baseline's samples can judge it. */
 static bool judges(const asp_spread_model *model) {
-  return model->density && model->quantile && !model->prepare && !model->escape;
+  return model->density && model->quantile && !model->prepare;
 }
 
 /* D_KL of the samples against a model's law, less the samples' bias. A bin that the model does not

@@ -75,7 +75,7 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
     return false;
   /* With v1 along the normal there is no plane of incidence: the whole tangential velocity counts.
    */
-  bool all = c->data.view == ASPI_IN_SPACE || !(v1[0] > 0);
+  bool all = c->data.projection == ASPI_IN_SPACE || !(v1[0] > 0);
   xy[COR_N] = impact.v2[2] / v;
   xy[COR_T] = (all ? hypot(impact.v2[0], impact.v2[1]) : impact.v2[0]) / v;
   if (!noisy)

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/compare.h"
 #include "base/error.h"
+#include "base/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,17 +19,13 @@ enum { ENOUGH = 20 };
 enum { ROWS_EACH = 4 };
 #define NEARLY_ALL 0.9
 
+static bool is_below(const void *rows, size_t i, double angle) {
+  return ((const aspi_scatter_row *)rows)[i].degrees < angle;
+}
+
 /* Number of impacts below an angle; impacts are in order of their angle. */
 static size_t count_below(const aspi_scatter *impacts, double angle) {
-  size_t low = 0, high = impacts->count;
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (impacts->rows[middle].degrees < angle)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low;
+  return aspi_count_below(impacts->rows, impacts->count, angle, is_below);
 }
 
 /* An unknown one is near any. */
@@ -59,12 +56,12 @@ static void no_more(void *to, const void *more) {
   (void)more;
 }
 
-asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *far,
-                            aspi_apart *apart, asp_error *error) {
+asp_code aspi_compare_grouping(const aspi_scatter *data, const aspi_compare_reach *far,
+                               aspi_grouping *grouping, asp_error *error) {
   const aspi_compare_reach *const reach[] = {&same, far};
-  *apart = (aspi_apart){.width = 0};
+  *grouping = (aspi_grouping){.width = 0};
   for (int d = 0; d < 3; d++) {
-    double *border = apart->border[d] = malloc((4 * data->count + 1) * sizeof *border);
+    double *border = grouping->border[d] = malloc((4 * data->count + 1) * sizeof *border);
     if (!border)
       return no_memory(data->count, error);
     for (size_t i = 0; i < 4 * data->count; i++) {
@@ -75,17 +72,17 @@ asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *
                   : d == 1 ? row->v1 * (1 + sign * by->speed)
                            : row->d_p * (1 + sign * by->size);
       if (!isnan(at))
-        border[apart->count[d]++] = at;
+        border[grouping->count[d]++] = at;
     }
-    apart->count[d] =
-        aspi_put_together(border, apart->count[d], sizeof *border, by_number, no_more);
+    grouping->count[d] =
+        aspi_merge_equal(border, grouping->count[d], sizeof *border, by_number, no_more);
   }
   return ASP_OK;
 }
 
-void aspi_compare_apart_free(aspi_apart *apart) {
+void aspi_compare_grouping_free(aspi_grouping *grouping) {
   for (int d = 0; d < 3; d++)
-    free(apart->border[d]);
+    free(grouping->border[d]);
 }
 
 /* ---- the bins' rows ---------------------------------------------------------------------------

@@ -39,9 +39,9 @@ typedef struct aspi_compare_reach {
 
 /* The borders of all measured places and of their surroundings: model impacts between the same
  * borders are equivalent. To be freed. */
-asp_code aspi_compare_apart(const aspi_scatter *data, const aspi_compare_reach *far,
-                            aspi_apart *apart, asp_error *error);
-void aspi_compare_apart_free(aspi_apart *apart);
+asp_code aspi_compare_grouping(const aspi_scatter *data, const aspi_compare_reach *far,
+                               aspi_grouping *grouping, asp_error *error);
+void aspi_compare_grouping_free(aspi_grouping *grouping);
 
 /* A bin for each row of means, or for each interval of angles of that width in degrees. If many
  * impacts were measured at each place, each place is a bin, unless the width is `given` by the

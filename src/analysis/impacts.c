@@ -1,17 +1,18 @@
-/* Impacts put together as sums; see impacts.h.
+/* Impacts merged as sums; see impacts.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/impacts.h"
+#include "base/search.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows before they are put together, at least. */
+/* Rows before they are merged, at least. */
 enum { ROOM_LEAST = 1 << 14 };
 
-size_t aspi_put_together(void *items, size_t count, size_t size,
-                         int (*compare)(const void *, const void *),
-                         void (*add)(void *to, const void *more)) {
+size_t aspi_merge_equal(void *items, size_t count, size_t size,
+                        int (*compare)(const void *, const void *),
+                        void (*add)(void *to, const void *more)) {
   char *first = items, *last = items;
   if (count == 0)
     return 0;
@@ -24,16 +25,13 @@ size_t aspi_put_together(void *items, size_t count, size_t size,
   return (size_t)(last - first) / size + 1;
 }
 
+static bool is_below(const void *border, size_t i, double value) {
+  return ((const double *)border)[i] < value;
+}
+
 /* Twice the number of borders below a value, plus 1 if it is on a border; -1: no value. */
 static double place_among(const double *border, size_t count, double value) {
-  size_t low = 0, high = count;
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (border[middle] < value)
-      low = middle + 1;
-    else
-      high = middle;
-  }
+  size_t low = aspi_count_below(border, count, value, is_below);
   return isnan(value) ? -1 : 2 * (double)low + (low < count && border[low] <= value);
 }
 
@@ -41,9 +39,9 @@ void aspi_scatter_key(const aspi_scatter *s, aspi_scatter_row *row) {
   const double place[] = {row->degrees, row->v1, row->d_p};
   for (int d = 0; d < 3; d++)
     if (s->by_interval)
-      row->key[d] = d == 0 ? aspi_scatter_interval(row, s->apart->width) : 0;
-    else if (s->apart->border[d])
-      row->key[d] = place_among(s->apart->border[d], s->apart->count[d], place[d]);
+      row->key[d] = d == 0 ? aspi_scatter_interval(row, s->grouping->width) : 0;
+    else if (s->grouping->border[d])
+      row->key[d] = place_among(s->grouping->border[d], s->grouping->count[d], place[d]);
     else
       row->key[d] = isnan(place[d]) ? -1 : place[d];
 }
@@ -99,14 +97,14 @@ bool aspi_scatter_merge(aspi_scatter_row *to, const aspi_scatter_row *more) {
 }
 
 void aspi_scatter_gather(aspi_scatter *s) {
-  s->count = aspi_put_together(s->rows, s->count, sizeof *s->rows, by_key, add);
-  if (s->apart->width > 0 && !s->by_interval && s->count > s->apart->places) {
+  s->count = aspi_merge_equal(s->rows, s->count, sizeof *s->rows, by_key, add);
+  if (s->grouping->width > 0 && !s->by_interval && s->count > s->grouping->places) {
     s->by_interval = true;
     for (size_t i = 0; i < s->count; i++)
       aspi_scatter_key(s, &s->rows[i]);
-    s->count = aspi_put_together(s->rows, s->count, sizeof *s->rows, by_key, add);
+    s->count = aspi_merge_equal(s->rows, s->count, sizeof *s->rows, by_key, add);
   }
-  s->room = 2 * s->count > ROOM_LEAST ? 2 * s->count : ROOM_LEAST;
+  s->merge_at = 2 * s->count > ROOM_LEAST ? 2 * s->count : ROOM_LEAST;
 }
 
 /* ---- bins ---- */

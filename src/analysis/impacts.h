@@ -26,40 +26,40 @@ typedef struct aspi_scatter_row {
   double key[3], power[ASPI_COMPARED][4], product;
 } aspi_scatter_row;
 
-/* Which interval of that width an angle is in; the last one ends with 90 degrees. */
+/* The number of the interval, `width` degrees wide, that holds the angle; 90 is in the last one. */
 static inline double aspi_scatter_interval(const aspi_scatter_row *row, double width) {
   return floor(fmin(row->degrees, 90 - 1e-6) / width + ASPI_ROUNDING_TEXT);
 }
 
-/* View of the rebounds: in the plane of incidence, as by one camera from the side, where CoR_T has
- * a sign; or in space, where CoR_T uses the whole speed along the wall. */
-typedef enum aspi_rebound_view { ASPI_IN_PLANE, ASPI_IN_SPACE, ASPI_VIEWS } aspi_rebound_view;
+/* The velocity that a rebound is measured by: in the plane of incidence, as by one camera from the
+ * side, where CoR_T has a sign; or in space, where CoR_T uses the whole speed along the wall. */
+typedef enum aspi_projection { ASPI_IN_PLANE, ASPI_IN_SPACE, ASPI_PROJECTIONS } aspi_projection;
 
-/* How impacts are grouped if not kept one by one: by angle, speed and size, as numbers or by the
- * borders they lie between; or by intervals of the angle, at once or with more than `places`
- * places. */
-typedef struct aspi_apart {
-  double *border[3]; /* in order; NULL: as numbers */
-  size_t count[3], places;
-  double width; /* 0: no intervals */
-} aspi_apart;
+/* How impacts are grouped, where they are not kept one by one. */
+typedef struct aspi_grouping {
+  double *border[3]; /* limits of the bins of angle, speed, size; NULL: equal numbers */
+  size_t count[3];   /* of the limits */
+  double width;      /* bins of the angle alone, used above `places` groups; 0: never */
+  size_t places;
+} aspi_grouping;
 
 typedef struct aspi_scatter {
   aspi_scatter_row *rows;
-  size_t count, room;       /* rows, and how many there may be before they are put together */
-  double impacts, deposits; /* in all rows; deposits: that are one */
-  bool means;               /* rows are means, not impacts */
-  bool has_speed, has_size; /* of some rows they are known */
-  bool has_outcome;         /* there is such a column */
-  bool has_angle;           /* of rebounds, and no coefficients */
-  bool by_interval;         /* rows are of intervals */
-  const aspi_apart *apart;  /* NULL: there is a row for each impact */
-  aspi_rebound_view view;
+  size_t count;                  /* rows */
+  size_t merge_at;               /* rows are merged when there are more */
+  double impacts, deposits;      /* in all rows; deposits: that are one */
+  bool means;                    /* rows are means, not impacts */
+  bool has_speed, has_size;      /* of some rows they are known */
+  bool has_outcome;              /* there is such a column */
+  bool has_angle;                /* of rebounds, and no coefficients */
+  bool by_interval;              /* rows are of intervals */
+  const aspi_grouping *grouping; /* NULL: there is a row for each impact */
+  aspi_projection projection;
 } aspi_scatter;
 
 /* True if a row (not the first) joins the bin of the row before it; rows are in order of their
- * angle. Bins are intervals, or clusters of angles that are narrower than the width and more than
- * half of it apart, because a border may lie within a cluster. */
+ * angle. Bins are intervals or clusters. A cluster is narrower than `width` and at least width/2
+ * from the next; fixed borders could cut it. */
 bool aspi_scatter_joins(const aspi_scatter *scatter, size_t row, double width, bool clusters);
 bool aspi_scatter_is_clustered(const aspi_scatter *scatter, double width);
 
@@ -76,8 +76,8 @@ void aspi_scatter_gather(aspi_scatter *s);
 void aspi_scatter_about(const aspi_scatter_row *row, int k, double center, double sums[4]);
 
 /* Sorts by `compare` and merges equal items; returns how many are left. */
-size_t aspi_put_together(void *items, size_t count, size_t size,
-                         int (*compare)(const void *, const void *),
-                         void (*add)(void *to, const void *more));
+size_t aspi_merge_equal(void *items, size_t count, size_t size,
+                        int (*compare)(const void *, const void *),
+                        void (*add)(void *to, const void *more));
 
 #endif

@@ -18,10 +18,10 @@ typedef struct aspi_stream {
 aspi_stream aspi_stream_begin(const asp_key *key);
 
 /* Properties of a grain that stay the same at all contacts, on all walls with one seed. */
-typedef enum aspi_own { ASPI_OWN_YIELD = 1, ASPI_OWN_ADHESION } aspi_own;
+typedef enum aspi_trait { ASPI_TRAIT_YIELD = 1, ASPI_TRAIT_ADHESION } aspi_trait;
 
 /* A standard normal number of the seed and the tag of a key alone. */
-double aspi_stream_own(const asp_key *key, aspi_own of);
+double aspi_stream_trait(const asp_key *key, aspi_trait of);
 
 /* The next uniform number of the stream, strictly between 0 and 1: in steps of 2^-53
  * below 0.5 and of 2^-52 above. */

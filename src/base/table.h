@@ -31,11 +31,13 @@ typedef struct aspi_table {
   int count, all; /* fields of the current line, without empty ones behind and with them */
   char **fields;
   int room;
-  size_t start, rows;     /* the line of the first row; of those that were taken, for the caller */
-  char *header;           /* its lines, each with LF */
-  bool tagged;            /* the first line begins with a tag, as in XML */
-  bool nameless, has_row; /* the names are ""; the current row is not yet taken */
-  int columns;            /* names */
+  size_t start;  /* line number of the first row; 0: there is none */
+  size_t rows;   /* for the caller, who counts the rows he took */
+  char *header;  /* its lines, each with LF */
+  bool tagged;   /* the first line begins with a tag, as in XML */
+  bool nameless; /* the names are "" */
+  bool has_row;  /* the current row is not yet taken */
+  int columns;   /* names */
   aspi_column *column;
 } aspi_table;
 
@@ -80,5 +82,13 @@ const char *aspi_table_value(const aspi_table *table, const char *keys);
 
 /* Names and signs as plain text. */
 void aspi_plain(const char *name, char *to, size_t size);
+
+/* ---- inside the room ---- */
+
+/* Names from the last line above the first row, of which the fields are counted, or the last two,
+ * of which the second has their units. */
+asp_code aspi_table_parse_names(aspi_table *table, int least, asp_error *error);
+
+asp_code aspi_table_no_memory(const aspi_table *table, asp_error *error);
 
 #endif

@@ -110,8 +110,8 @@ static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool
   for (int i = 0; i < 3; i++)
     if (cli_is_set(call, of_data[i]))
       cli_bad_usage("--%s has no effect without DATA", of_data[i]);
-  const aspi_apart apart = {.width = width, .places = given ? 0 : PLACES_MOST};
-  c->impacts = cli_scatter_read_impacts(c->names[0], NULL, &apart);
+  const aspi_grouping grouping = {.width = width, .places = given ? 0 : PLACES_MOST};
+  c->impacts = cli_scatter_read_impacts(c->names[0], NULL, &grouping);
   c->data = c->impacts;
   c->data.has_outcome = true;
   cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
@@ -119,18 +119,18 @@ static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool
 }
 
 static void compare_with(aspi_comparison *c, cli_call *call, double width, bool given) {
-  static const aspi_apart places = {.width = 0};
-  aspi_apart apart;
+  static const aspi_grouping places = {.width = 0};
+  aspi_grouping grouping;
   double far[3] = {0, 0.1, 0.1}; /* degrees, and shares of speed and size */
   cli_few(cli_get(call, "near"), 0, 90, 3, far);
   const aspi_compare_reach reach = {far[0], far[1], far[2]};
   c->data = cli_scatter_read_data(call, c->names[1], &places);
-  cli_must(!aspi_compare_apart(&c->data, &reach, &apart, &cli_error));
-  c->impacts = cli_scatter_read_impacts(c->names[0], &c->data, &apart);
+  cli_must(!aspi_compare_grouping(&c->data, &reach, &grouping, &cli_error));
+  c->impacts = cli_scatter_read_impacts(c->names[0], &c->data, &grouping);
   warn_unknown(c);
   cli_must(!aspi_compare_make_bins(c, width, given, &cli_error));
   cli_must(!aspi_compare_fill(c, &reach, &cli_error));
-  aspi_compare_apart_free(&apart);
+  aspi_compare_grouping_free(&grouping);
   check_bins(c);
   warn_no_score(c);
 }

@@ -30,20 +30,20 @@ static bool put_arguments(const cli_command *command, int count, char **words) {
     puts("FILE");
     return command->takes_files;
   }
-  aspi_offers offers = {.at_end = false};
-  bool may_end = !*argument ||
-                 aspi_description_offer(&offers, count - files, (const char *const *)words + files);
-  puts(offers.list);
+  aspi_completions completions = {.at_end = false};
+  bool may_end = !*argument || aspi_description_complete(&completions, count - files,
+                                                         (const char *const *)words + files);
+  puts(completions.list);
   return may_end;
 }
 
 void cli_complete(const cli_command *const *commands, int count, char **words) {
   if (count < 2 && (count == 0 || strcmp(words[0], "help") == 0)) {
     static const char *const clauses[] = {"surface", "spread", "rebound", "erosion"};
-    aspi_offers offers = {.at_end = false};
+    aspi_completions completions = {.at_end = false};
     for (size_t i = 0; i < sizeof clauses / sizeof *clauses; i++)
-      aspi_description_offer(&offers, 1, &clauses[i]);
-    printf(count == 0 ? "help\n" : "wall %s\n", offers.list);
+      aspi_description_complete(&completions, 1, &clauses[i]);
+    printf(count == 0 ? "help\n" : "wall %s\n", completions.list);
     for (; *commands; commands++)
       puts((*commands)->name);
     return;

@@ -22,7 +22,7 @@ typedef struct cell {
 
 typedef struct wear {
   cell *cells;
-  size_t count, most; /* cells, and how many before they are put together */
+  size_t count, most; /* cells, and how many before they are merged */
   const char *path;
   const aspi_erosion *law; /* NULL: the ledger's own column */
   double wall_density;     /* 0: the law has it */
@@ -44,8 +44,8 @@ static void add(void *fields, const void *with) {
 }
 
 /* Merges the cells of each triangle, and sorts them. */
-static void put_together(wear *w) {
-  w->count = aspi_put_together(w->cells, w->count, sizeof *w->cells, by_place, add);
+static void merge(wear *w) {
+  w->count = aspi_merge_equal(w->cells, w->count, sizeof *w->cells, by_place, add);
 }
 
 static double worn_by_law(const wear *w, const double fields[], double mass) {
@@ -55,17 +55,17 @@ static double worn_by_law(const wear *w, const double fields[], double mass) {
 }
 
 static void add_row(wear *w, const double fields[]) {
-  double mass = fields[MASS], d = fields[D_P];
+  double mass = fields[MASS];
   w->has_mass = !isnan(mass);
   if (!w->has_mass)
-    mass = w->density * ASP_PI / 6 * d * d * d;
+    mass = w->density * ASP_SPHERE_VOLUME(fields[D_P]);
   if (w->law && isnan(mass))
     cli_bad_usage("%s: no column 'mass', which 'columns full' has: give the density of the "
                   "particles by --density or 'materials'",
                   w->path);
   double worn = w->law ? worn_by_law(w, fields, mass) : fields[ERODED];
   if (w->count == w->most) {
-    put_together(w);
+    merge(w);
     w->most = 2 * w->count > CELLS_LEAST ? 2 * w->count : CELLS_LEAST;
   }
   w->cells = cli_grow(w->cells, w->count, sizeof *w->cells);
@@ -88,7 +88,7 @@ static void read_ledger(wear *w) {
   double fields[SCATTER_COLUMNS];
   while (cli_scatter_row(&ledger, fields))
     add_row(w, fields);
-  put_together(w);
+  merge(w);
 }
 
 static void print_sum(FILE *out, const char *mesh, const char *triangle, const cell *sum) {

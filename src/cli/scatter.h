@@ -9,16 +9,16 @@
 #include "base/table.h"
 #include "cli/cli.h"
 
-/* Columns. Those of a rebound's velocity are there once for each view: V2 + ASPI_IN_PLANE. Those
- * from MESH on are of ledgers only. */
+/* Columns. Those of a rebound's velocity are there once for each projection: V2 + ASPI_IN_PLANE.
+ * Those from MESH on are of ledgers only. */
 enum {
   ALPHA1,
   V1,
   ALPHA2,
-  V2 = ALPHA2 + ASPI_VIEWS,
-  COR_ALPHA = V2 + ASPI_VIEWS,
-  COR_V = COR_ALPHA + ASPI_VIEWS,
-  V1_N = COR_V + ASPI_VIEWS,
+  V2 = ALPHA2 + ASPI_PROJECTIONS,
+  COR_ALPHA = V2 + ASPI_PROJECTIONS,
+  COR_V = COR_ALPHA + ASPI_PROJECTIONS,
+  V1_N = COR_V + ASPI_PROJECTIONS,
   V1_T,
   V2_N,
   V2_T,
@@ -53,7 +53,7 @@ enum {
 typedef struct cli_scatter {
   aspi_table *table;
   bool is_ledger, needed[SCATTER_COLUMNS];
-  int at[SCATTER_COLUMNS];
+  int column_of[SCATTER_COLUMNS];
   int used[SCATTER_COLUMNS], count;  /* those that there are, when rows are read */
   bool from_normal[SCATTER_COLUMNS]; /* angles of the file that are turned */
   double factor[SCATTER_COLUMNS];
@@ -65,7 +65,8 @@ cli_scatter cli_scatter_open(const char *path, int end);
 /* Takes the columns that the user names: `alpha1=2,v1=speed`, by number or name. */
 void cli_scatter_choose(cli_scatter *table, const cli_option *choice);
 
-/* Counts angles from the wall that the file counts from its normal, by its name or by the user. */
+/* Turns angles that the file counts from the normal, by its name or by the user, into angles from
+ * the wall. */
 void cli_scatter_turn(cli_scatter *table, const cli_option *from);
 
 /* Exits, with a hint, unless there is a column, with a number in each row. */
@@ -76,11 +77,27 @@ void cli_scatter_need(cli_scatter *table, int column, const char *hint);
 bool cli_scatter_row(cli_scatter *table, double value[SCATTER_COLUMNS]);
 
 /* Impacts of a model or a simulation, which have coefficients, as `data` has them (NULL: none); and
- * measured data of any form. Both in order of angle, speed and size, and put together but for what
- * is apart (NULL: a row for each; never means). */
+ * measured data of any form. Sorted by angle, speed, size. Impacts of one group become one row
+ * (NULL: a row each); rows of means are never merged. */
 aspi_scatter cli_scatter_read_impacts(const char *path, const aspi_scatter *data,
-                                      const aspi_apart *apart);
-aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path, const aspi_apart *apart);
+                                      const aspi_grouping *grouping);
+aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path,
+                                   const aspi_grouping *grouping);
+
+static inline bool cli_scatter_has(const cli_scatter *table, int column) {
+  return table->column_of[column] >= 0;
+}
+
+/* The columns that give the coefficients, in this order where there are several. */
+typedef struct cli_scatter_form {
+  bool means, points, components, normal; /* normal: components of it alone */
+  aspi_projection ratios, velocities;     /* ASPI_PROJECTIONS: none */
+  aspi_projection angles;                 /* alone; the same */
+} cli_scatter_form;
+cli_scatter_form cli_scatter_find_form(cli_scatter *table);
+
+/* A row of such a table. */
+aspi_scatter_row cli_scatter_row_of(const cli_scatter_form *form, const double value[]);
 
 /* Options of a command that reads such data. */
 #define SCATTER_OPTIONS                                                                            \

@@ -105,7 +105,7 @@ static const struct {
 
 /* The column whose name is the longest beginning of a plain name, -1 if none, and the rest of the
  * name. */
-static int column_of(const char *name, const char **rest) {
+static int find_column(const char *name, const char **rest) {
   for (size_t length = strlen(name); length > 0; length--)
     for (int c = 0; c < SCATTER_COLUMNS && (!name[length] || name[length] == '_'); c++)
       if (aspi_word_index(columns[c].names, name, length, true) >= 0) {
@@ -176,7 +176,7 @@ void cli_scatter_choose(cli_scatter *t, const cli_option *choice) {
   while ((item = aspi_text_field(&list, ',')) != NULL) {
     char *name = aspi_text_field(&item, '=');
     const char *rest;
-    int c = name ? column_of(name, &rest) : -1;
+    int c = name ? find_column(name, &rest) : -1;
     int place = item ? aspi_table_asked(t->table, item, t->table->columns) : -1;
     if (c < 0 || *rest || place < 0)
       cli_bad_usage(
@@ -189,8 +189,8 @@ void cli_scatter_choose(cli_scatter *t, const cli_option *choice) {
       at += strcspn(at, "_");
     }
     for (int other = 0; other < SCATTER_COLUMNS; other++)
-      t->at[other] = t->at[other] == place ? -1 : t->at[other];
-    t->at[c] = place;
+      t->column_of[other] = t->column_of[other] == place ? -1 : t->column_of[other];
+    t->column_of[c] = place;
     t->factor[c] = unit_of(t, place, c, factor > 0 ? factor : *columns[c].kind ? 0 : 1);
   }
 }
@@ -200,7 +200,7 @@ void cli_scatter_turn(cli_scatter *t, const cli_option *from) {
                                MEAN + REBOUND_ANGLE};
   bool chosen = from && cli_choice(from) == 1;
   for (int i = 0; i < 4; i++) {
-    int place = t->at[angles[i]];
+    int place = t->column_of[angles[i]];
     const char *name = place >= 0 ? t->table->column[place].plain : "";
     t->from_normal[angles[i]] = chosen || strstr(name, "normal");
     if (from && !chosen && strncmp(name, "theta", 5) == 0)
@@ -208,7 +208,7 @@ void cli_scatter_turn(cli_scatter *t, const cli_option *from) {
                "from its normal",
                t->table->text.path, t->table->column[place].name);
   }
-  if (chosen && (t->at[COR_ALPHA] >= 0 || t->at[COR_ALPHA + ASPI_IN_SPACE] >= 0))
+  if (chosen && (t->column_of[COR_ALPHA] >= 0 || t->column_of[COR_ALPHA + ASPI_IN_SPACE] >= 0))
     cli_bad_usage("--from is 'normal'; cor_alpha is a ratio of angles from the wall");
 }
 
@@ -216,18 +216,18 @@ cli_scatter cli_scatter_open(const char *path, int end) {
   cli_scatter t = {.table = cli_made(aspi_table_open(NULL, path, 0, &cli_error))};
   t.is_ledger = strstr(t.table->header, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
-    t.at[c] = -1;
+    t.column_of[c] = -1;
   for (int i = 0; i < t.table->columns; i++) {
     const aspi_column *column = &t.table->column[i];
     const char *rest;
-    int c = column_of(column->plain, &rest);
+    int c = find_column(column->plain, &rest);
     double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, column->bracketed) : -1;
     if (factor < 0)
       continue;
-    if (t.at[c] >= 0)
+    if (t.column_of[c] >= 0)
       cli_bad_usage("%s: columns %d and %d, '%s' and '%s', are the same; there must be one", path,
-                    t.at[c] + 1, i + 1, t.table->column[t.at[c]].name, column->name);
-    t.at[c] = i;
+                    t.column_of[c] + 1, i + 1, t.table->column[t.column_of[c]].name, column->name);
+    t.column_of[c] = i;
     t.factor[c] = unit_of(&t, i, c, factor);
   }
   cli_scatter_turn(&t, NULL);
@@ -238,7 +238,7 @@ void cli_scatter_need(cli_scatter *t, int column, const char *hint) {
   char name[40];
   snprintf(name, sizeof name, "%.*s", (int)strcspn(columns[column].names, " "),
            columns[column].names);
-  if (t->at[column] < 0) {
+  if (t->column_of[column] < 0) {
     aspi_table_need(t->table, name, &cli_error);
     cli_bad_usage("%s%s", cli_error.text, hint);
   }
@@ -269,7 +269,7 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
   bool found, missing;
   cli_must(!aspi_table_row(t->table, &found, &cli_error));
   for (int c = 0, first = t->count == 0; c < SCATTER_COLUMNS && first; c++)
-    if (t->at[c] >= 0)
+    if (t->column_of[c] >= 0)
       t->used[t->count++] = c;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     value[c] = NAN;
@@ -277,9 +277,9 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
     int c = t->used[k];
     double factor = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
     if (c == OUTCOME)
-      value[c] = outcome_of(t->table, t->table->fields[t->at[c]]);
+      value[c] = outcome_of(t->table, t->table->fields[t->column_of[c]]);
     else
-      cli_must(!aspi_table_number(t->table, t->at[c], columns[c].least / factor,
+      cli_must(!aspi_table_number(t->table, t->column_of[c], columns[c].least / factor,
                                   columns[c].most / factor, &value[c],
                                   t->needed[c] ? NULL : &missing, &cli_error));
     value[c] *= t->factor[c];

@@ -107,11 +107,11 @@ static void take_heading(study *s, const char *name, const char *heading) {
 static void weigh(study *s, size_t line, const double fields[], aspi_drawn *d) {
   asp_impact is;
   double lay[3], weights[WALLS_MOST], *self = d->self;
-  asp_particle particle = {
-      .d_p = fields[D_P],
-      .density = s->has_mass ? fields[MASS] / (ASP_PI / 6 * pow(fields[D_P], 3)) : s->own.density,
-      .pair = s->own.pair,
-      .lay = cli_description_lay(&s->own, lay)};
+  asp_particle particle = {.d_p = fields[D_P],
+                           .density = s->has_mass ? fields[MASS] / ASP_SPHERE_VOLUME(fields[D_P])
+                                                  : s->own.density,
+                           .pair = s->own.pair,
+                           .lay = cli_description_lay(&s->own, lay)};
   memcpy(particle.omega, fields + SPIN, sizeof particle.omega);
   asp_key key = {s->key.seed, s->key.wall, (uint64_t)fields[TAG], (uint32_t)fields[IMPACT]};
   cli_must(!asp_wall_weights(s->own.wall, 1, &particle, fields + BEFORE, fields + NORMAL, &key,
@@ -165,7 +165,7 @@ static void read_ledger(study *s, const char *name) {
   double fields[SCATTER_COLUMNS];
   cli_scatter ledger = cli_scatter_open(s->path, PLACE);
   take_heading(s, name, ledger.table->header);
-  ledger.at[POINT] = ledger.at[POINT + COR_T] =
+  ledger.column_of[POINT] = ledger.column_of[POINT + COR_T] =
       -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
     cli_scatter_need(&ledger, needed[i], "");

@@ -22,19 +22,11 @@ typedef struct scene {
   bool by_size; /* the wall is more than a sigma */
 } scene;
 
-static bool draw_face(const scene *s, const aspi_spread_input *view, aspi_stream *stream,
-                      double *delta) {
-  aspi_path path = {0};
-  if (s->wall.wall->follow)
-    return s->wall.wall->follow(view, stream, &path, delta);
-  return aspi_spread_draw(s->model, view, stream, delta);
-}
-
 static double draw(const scene *s, const aspi_spread_input *view, uint64_t sample) {
   uint32_t seed = (uint32_t)asp_description_get(s->wall.words, "seed");
   aspi_stream stream = aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
   double delta;
-  if (!draw_face(s, view, &stream, &delta))
+  if (!aspi_spread_draw(s->model, view, &stream, &delta))
     cli_fail("model '%s' found no face for alpha1 = %g degrees", s->model->name,
              aspi_degrees(view->alpha1));
   return delta;

@@ -65,22 +65,6 @@ static void read_step(const cli_option *option, aspi_profile_options *read) {
   read->step[1] = steps.values[steps.count - 1];
 }
 
-/* Words and their lengths, with blanks between. */
-static void read_filters(const cli_option *option, aspi_filters *filters) {
-  static const char words[] = "tip lambda_s cutoff";
-  double *const lengths[] = {&filters->tip, &filters->lambda_s, &filters->cutoff};
-  char *text = cli_copy(option->value), *word, name[80];
-  while ((word = aspi_text_field(&text, ' ')) != NULL) {
-    int index = aspi_word_index(words, word, strlen(word), true);
-    snprintf(name, sizeof name, "%s %.40s", option->name, word);
-    const cli_option length = {name, "LENGTH", option->help, aspi_text_field(&text, ' ')};
-    if (index < 0 || !length.value)
-      cli_bad_usage("--%s is '%s'; '%s' is unknown or without a length; there are: %s",
-                    option->name, option->value, word, option->help);
-    *lengths[index] = cli_length(&length);
-  }
-}
-
 static aspi_profile_options read_options(const cli_call *call) {
   aspi_profile_options read = aspi_profile_options_default();
   const cli_option *form = cli_get(call, "form");
@@ -92,8 +76,8 @@ static aspi_profile_options read_options(const cli_call *call) {
     read.missing = cli_number(cli_get(call, "missing"), -1e300, 1e300);
   if (cli_value(call, "spikes"))
     read.spikes = cli_number(cli_get(call, "spikes"), 1, 1e6);
-  if (cli_value(call, "filter"))
-    read_filters(cli_get(call, "filter"), &read.filters);
+  if (cli_value(call, "lambda_s"))
+    read.lambda_s = cli_length(cli_get(call, "lambda_s"));
   read.x_column = cli_value(call, "x-column");
   read.column = cli_value(call, "column");
   read.row = (int)cli_whole(cli_get(call, "row"), 1, 1000000);
@@ -168,7 +152,7 @@ static void save(const cli_call *call, const asp_heights *profile) {
 /* ---- the slopes ---- */
 
 static double kappa_of(const slopes_row *row) {
-  return sqrt(3) * row->d_p * row->r_q / (row->lambda_c * row->lambda_c);
+  return aspi_kappa(row->d_p, row->r_q / row->lambda_c, row->lambda_c);
 }
 
 /* The slopes that discs of every size meet on a profile, in order, on all cores. */
@@ -243,9 +227,9 @@ static void check_options(const cli_call *call, const char *kind) {
   static const struct {
     const char *option;
     int own;
-  } list[] = {{"points", GENERATED},    {"row", BY_PROFILE},    {"column", BY_PROFILE},
-              {"x-column", BY_PROFILE}, {"filter", BY_PROFILE}, {"unit", MEASURED},
-              {"step", MEASURED},       {"missing", MEASURED},  {"form", MEASURED},
+  } list[] = {{"points", GENERATED},    {"row", BY_PROFILE},      {"column", BY_PROFILE},
+              {"x-column", BY_PROFILE}, {"lambda_s", BY_PROFILE}, {"unit", MEASURED},
+              {"step", MEASURED},       {"missing", MEASURED},    {"form", MEASURED},
               {"gaps", MEASURED},       {"spikes", MEASURED}};
   int wall = strcmp(kind, "map") == 0       ? BY_MAP
              : strcmp(kind, "profile") == 0 ? BY_PROFILE
@@ -374,10 +358,7 @@ static const cli_option options[] = {
     {"form", "DEGREE", "degree of the polynomial that is subtracted as form: none, or 0 to 9", "1"},
     {"gaps", "refuse|fill", "refuse a file with bad and missing points, or fill them", "refuse"},
     {"spikes", "K", "count points more than K robust sd from their neighbors as bad", NULL},
-    {"filter", "WORDS",
-     "tip LENGTH (radius of the stylus, whose dilation is undone), lambda_s LENGTH and cutoff "
-     "LENGTH (remove shorter and longer waves, ISO 16610-21)",
-     NULL},
+    {"lambda_s", "LENGTH", "remove shorter waves of a profile (ISO 16610-21)", NULL},
     {"save", "FILE", "write the repaired profile, or map (SDF), there", NULL},
     {.name = NULL}};
 

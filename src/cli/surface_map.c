@@ -6,6 +6,7 @@
 #include "cli/surface.h"
 #include "surface/ball.h"
 #include "surface/describe.h"
+#include "surface/size_law.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -80,7 +81,7 @@ static void print(FILE *out, const cli_measured *m, const slopes *rows, size_t c
   for (size_t i = 0; i < count; i++)
     fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.4g,%.6g,%.6g,%.6g,%.6g,%.4g,%.4g\n", rows[i].d_p * 1e6,
             d->s_q * 1e6, d->lambda_1 * 1e6, d->lambda_2 * 1e6, aspi_degrees(d->lay),
-            d->s_q / d->lambda_1, sqrt(3) * rows[i].d_p * d->s_q / (d->lambda_1 * d->lambda_1),
+            d->s_q / d->lambda_1, aspi_kappa(rows[i].d_p, d->s_q / d->lambda_1, d->lambda_1),
             rows[i].rms[0], rows[i].rms[1], rows[i].skewness[0], rows[i].skewness[1]);
 }
 

@@ -77,55 +77,6 @@ static void judge_all(const cli_list *angles, aspi_judge_case *subject, const as
   aspi_judge_free(&judge);
 }
 
-/* ---- the models over all angles ---- */
-
-/* A model over all angles: its mean cost, and its worst divergence with the standard error. */
-typedef struct point {
-  const asp_spread_model *model;
-  double cost, worst, se; /* of the worst */
-} point;
-
-static int by_cost(const void *a, const void *b) {
-  const point *x = a, *y = b;
-  return (x->cost > y->cost) - (x->cost < y->cost);
-}
-
-static point *summarize(const judged *rows, size_t n, size_t models) {
-  point *points = cli_allocate(models, sizeof *points);
-  for (size_t m = 0; m < models; m++) {
-    points[m] = (point){.model = rows[m].model};
-    for (size_t i = m; i < n; i += models) {
-      points[m].cost += rows[i].cost * (double)models / (double)n;
-      if (i == m || rows[i].rebound.kl > points[m].worst) {
-        points[m].worst = rows[i].rebound.kl;
-        points[m].se = rows[i].rebound.se;
-      }
-    }
-  }
-  qsort(points, models, sizeof *points, by_cost);
-  return points;
-}
-
-/* Names the cheapest model whose worst divergence, with twice its standard error, is below the
- * tolerance. */
-static void mark(FILE *out, const point *points, size_t models, double tolerance) {
-  const point *chosen = NULL, *nearest = points;
-  for (const point *p = points; p < points + models; p++) {
-    if (!chosen && fmax(p->worst, 0) + 2 * p->se < tolerance)
-      chosen = p;
-    if (p->worst < nearest->worst)
-      nearest = p;
-  }
-  const point *of = chosen ? chosen : nearest;
-  char text[200];
-  snprintf(text, sizeof text,
-           "%s below D_KL %g%s: '%s', %.2g +- %.1g at the worst angle, %.3g ns per impact",
-           chosen ? "the cheapest model" : "no model is", tolerance, chosen ? "" : "; the closest",
-           asp_spread_name(of->model), of->worst, of->se, of->cost);
-  fprintf(out, "# %s\n", text);
-  fprintf(stderr, "asperity: %s\n", text);
-}
-
 /* ---- output ---- */
 
 static void print(FILE *out, const judged *rows, size_t n) {
@@ -193,15 +144,11 @@ static void run(cli_call *call) {
   cli_list angles = cli_angles(cli_get(call, "angles"));
   cli_description wall = read_wall(call, &d_p);
   aspi_judge_case subject = case_of(call, &wall, d_p);
-  const cli_option *given = cli_get(call, "tolerance");
-  double tolerance = given->value ? cli_number(given, 1e-9, 100) : 0;
   const asp_spread_model *of[MODELS_MOST];
   size_t models = list_models(&subject, of), n = angles.count * models;
   judged *rows = cli_allocate(n, sizeof *rows);
   judge_all(&angles, &subject, of, models, rows);
   FILE *out = cli_table_open(call, wall.text);
-  if (tolerance > 0)
-    mark(out, summarize(rows, n, models), models, tolerance);
   print(out, rows, n);
   cli_table_close(call, out, "trade");
 }
@@ -209,7 +156,6 @@ static void run(cli_call *call) {
 static const cli_option options[] = {
     {"dp", "LENGTH", "diameter of the particles", NULL},
     {"angles", "DEGREES", "impact angles: a list", "2,5,10,20,45,80"},
-    {"tolerance", "D", "name the cheapest model whose D_KL of the rebound angle is below D", NULL},
     {"rays", "N", "impacts per model and angle", "200000"},
     {"ensemble", "N", "profiles of 2048 lambda_c in the reference", "16"},
     {.name = NULL}};
@@ -221,7 +167,7 @@ static const char detail[] =
     "bins of one degree. A bin that the model cannot fill counts as 1e-6, or half an\n"
     "impact. kl_rebound is free of the bias of histograms. kl_rebound_se is its standard\n"
     "error, by the jackknife over the profiles; more --rays and a larger --ensemble make it\n"
-    "smaller. --tolerance takes the worst angle, with twice the standard error.\n"
+    "smaller.\n"
     "On a measured profile the reference is the flight over it, as `traced` has it; how much\n"
     "its length leaves uncertain is what 'asperity surface' says.\n";
 

@@ -122,7 +122,7 @@ private:
   void check_kinds() const;
   void report_constant(const char *keyword, const char *name, bool of_script, double value);
   void report_yield();
-  void ask(const asp_check_input &question, int type, int wall_type);
+  void ask(const asp_check_input &input, int type, int wall_type);
   void warn_of_doubts();
   double density(int type, const Engine::Kind &kind) const;
   std::string describe_capture() const;

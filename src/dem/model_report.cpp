@@ -59,9 +59,9 @@ void Model::report_yield() {
 }
 
 /* Warns of each doubt once: about the words (type 0), or about a type of particles. */
-void Model::ask(const asp_check_input &question, int type, int wall_type) {
+void Model::ask(const asp_check_input &input, int type, int wall_type) {
   char doubt[480];
-  for (int i = 0; asp_warning(&question, i, doubt, sizeof doubt); i++)
+  for (int i = 0; asp_warning(&input, i, doubt, sizeof doubt); i++)
     if (*doubt && !said_.count({0, doubt}) && said_.insert({type, doubt}).second)
       engine_.warn(type > 0 ? text("type %d on a wall of type %d: %s", type, wall_type, doubt)
                             : doubt);
@@ -77,8 +77,8 @@ void Model::warn_of_doubts() {
   doubted_for_[1] = most_;
   asp_particle largest = asp_particle();
   largest.d_p = most_;
-  asp_check_input question = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
-  ask(question, 0, 0);
+  asp_check_input input = {description_.get(), wall_.get(), least_, &largest, {NULL, NULL}};
+  ask(input, 0, 0);
   for (size_t t = 0; t < kinds_.size() && !pairs_.empty(); t++)
     for (int w : wall_types_) {
       const int type = static_cast<int>(t) + 1;
@@ -86,9 +86,9 @@ void Model::warn_of_doubts() {
         continue;
       largest.density = density(type, kinds_[t]);
       largest.pair = pair(type, w);
-      question.material[0] = materials_[t];
-      question.material[1] = materials_[w - 1];
-      ask(question, type, w);
+      input.material[0] = materials_[t];
+      input.material[1] = materials_[w - 1];
+      ask(input, type, w);
     }
 }
 

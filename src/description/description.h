@@ -24,14 +24,14 @@ typedef enum aspi_deposit { ASPI_FREEZE, ASPI_DELETE, ASPI_DEPOSIT_OFF } aspi_de
 
 struct asp_description {
   asp_units units;
-  uint64_t given;              /* a bit for each keyword of the table */
-  unsigned of_law, of_erosion; /* a bit for each given word of the law */
-  const char *last;            /* the clause that was read last */
-  asp_error broken;            /* the error of a clause that could not be read; it stays */
-  struct aspi_offers *offers;  /* NULL: they are not asked for */
-  uint8_t kind;                /* an aspi_surface_kind */
-  uint8_t deposit;             /* an aspi_deposit */
-  double sigma;                /* degrees */
+  uint64_t given;                       /* a bit for each keyword of the table */
+  unsigned of_law, of_erosion;          /* a bit for each given word of the law */
+  const char *last;                     /* the clause that was read last */
+  asp_error broken;                     /* the error of a clause that could not be read; it stays */
+  struct aspi_completions *completions; /* NULL: they are not asked for */
+  uint8_t kind;                         /* an aspi_surface_kind */
+  uint8_t deposit;                      /* an aspi_deposit */
+  double sigma;                         /* degrees */
   double r_q, lambda_c, lambda_along;
   double spacing, sampling; /* what an instrument prints in place of lambda_c */
   char *file;               /* of the profile or the map */

@@ -5,15 +5,15 @@
 
 /* clang-format off */
 static const aspi_form forms[] = {
-    /* name        read                write                finish               more */
+    /* name        read                write                finish               parameter */
     {"surface",    NULL,               NULL,                aspi_surface_finish, NULL},
     {"lambda_c",   aspi_lambda_c_read, aspi_lambda_c_write, NULL,                NULL},
     {"lay",        aspi_lay_read,      aspi_lay_write,      NULL,                NULL},
     {"rdq",        aspi_slope_read,    NULL,                NULL,                NULL},
     {"sdq",        aspi_slope_read,    NULL,                NULL,                NULL},
     {"spread",     aspi_spread_read,   aspi_spread_write,   aspi_spread_finish,  NULL},
-    {"rebound",    aspi_law_read,      aspi_law_write,      NULL,                aspi_law_more},
-    {"erosion",    aspi_law_read,      aspi_law_write,      aspi_erosion_finish, aspi_law_more},
+    {"rebound",    aspi_law_read,      aspi_law_write,      NULL,                aspi_law_parameter},
+    {"erosion",    aspi_law_read,      aspi_law_write,      aspi_erosion_finish, aspi_law_parameter},
     {"materials",  aspi_names_read,    aspi_names_write,    aspi_names_finish,   NULL},
 };
 /* clang-format on */

@@ -130,8 +130,6 @@ const aspi_keyword aspi_keywords[] = {
      SCATTER, .needs = ASPI_HAS_YIELD},
     {WORD("rebound", "scatter", "S", "0", NULL), .after = "yield_rate", SCATTER,
      .needs = ASPI_HAS_YIELD},
-    {WORD("rebound", "scatter_twice", "", "no", "allow the law's own scatter on a rough wall"),
-     SETS(choice.scatter_twice, true)},
     {WORD("materials", "file", "FILE", "",
           "materials of your own, as `asperity materials` prints them"),
      .string = AT(materials_file)},

@@ -78,7 +78,7 @@ static asp_code read_group(aspi_words *r, const aspi_keyword *k, const char *key
   return code;
 }
 
-bool aspi_law_more(aspi_words *r, const aspi_keyword *k, asp_code *code) {
+bool aspi_law_parameter(aspi_words *r, const aspi_keyword *k, asp_code *code) {
   const law l = law_of(r->d, k);
   unsigned *given = is_erosion(k) ? &r->d->of_erosion : &r->d->of_law;
   for (int i = 0; i < l.count; i++) {

@@ -70,7 +70,7 @@ static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
   bool any = false;
   for (bool more = true; more && !code; any = any || more) {
     const aspi_keyword *in = take_keyword(r, k, !any, &code);
-    more = in || (form->more && form->more(r, k, &code));
+    more = in || (form->parameter && form->parameter(r, k, &code));
     if (in && !code)
       code = read_keyword(r, in);
   }
@@ -162,13 +162,13 @@ static asp_code parse(asp_description *d, char *text, asp_error *error) {
   return code ? code : asp_description_check(d, error);
 }
 
-bool aspi_description_offer(aspi_offers *offers, int count, const char *const *words) {
+bool aspi_description_complete(aspi_completions *completions, int count, const char *const *words) {
   asp_error error;
   asp_description *d = aspi_description_create(NULL, &error);
   if (!d)
     return false;
   d->fittable = true;
-  d->offers = offers;
+  d->completions = completions;
   asp_code code = ASP_OK;
   for (int next = 0, taken; next < count && !code; next += taken)
     code = asp_description_read(d, count - next, words + next, "", &taken, &error);
@@ -176,7 +176,7 @@ bool aspi_description_offer(aspi_offers *offers, int count, const char *const *w
   for (const aspi_keyword *k = aspi_keywords; k->name && !code; k++)
     if (!*k->within)
       aspi_words_offer(&end, k->name);
-  bool may_end = !code || !offers->at_end;
+  bool may_end = !code || !completions->at_end;
   asp_description_free(d);
   return may_end;
 }

@@ -16,16 +16,17 @@ bool aspi_words_next_is(const aspi_words *r, const char *word) {
 }
 
 void aspi_words_offer(const aspi_words *r, const char *list) {
-  aspi_offers *offers = r->d->offers;
-  if (!offers || r->next < r->count)
+  aspi_completions *completions = r->d->completions;
+  if (!completions || r->next < r->count)
     return;
-  offers->at_end = true;
+  completions->at_end = true;
   for (size_t n; *(list += strspn(list, " |")); list += n) {
     char word[64];
     n = strcspn(list, " |");
     snprintf(word, sizeof word, "%.*s", (int)n, list);
-    if (!aspi_is_given(r->d, word) && !aspi_words_in_list(word, offers->list))
-      aspi_append(offers->list, sizeof offers->list, "%s%s", *offers->list ? " " : "", word);
+    if (!aspi_is_given(r->d, word) && !aspi_words_in_list(word, completions->list))
+      aspi_append(completions->list, sizeof completions->list, "%s%s",
+                  *completions->list ? " " : "", word);
   }
 }
 

@@ -10,10 +10,10 @@
 #include <string.h>
 
 /* The words that the parser looks for behind the last one, for the shell's completion. */
-typedef struct aspi_offers {
+typedef struct aspi_completions {
   char list[2000]; /* with blanks between; FILE stands for the name of a file */
   bool at_end;     /* the parser has looked behind the last word */
-} aspi_offers;
+} aspi_completions;
 
 /* The words of a clause, of which `next` comes next, and the description that they go into. */
 typedef struct aspi_words {
@@ -91,16 +91,16 @@ typedef struct aspi_form {
   asp_code (*read)(aspi_words *words, const aspi_keyword *keyword);
   void (*write)(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
   asp_code (*finish)(aspi_words *words); /* after all words within the keyword */
-  /* Takes more words, which are none of the table; false: there are none. */
-  bool (*more)(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
+  /* Takes the next parameter of a law, which is no word of the table; false: there is none. */
+  bool (*parameter)(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
 } aspi_form;
 
 /* The form of a keyword's value. */
 const aspi_form *aspi_form_of(const aspi_keyword *keyword);
 
-/* parse.c: offers the words that may follow. The given words need not be complete. True if they may
+/* parse.c: lists the words that may follow. The given words need not be complete. True if they may
  * end here, or are not a description. */
-bool aspi_description_offer(aspi_offers *offers, int count, const char *const *words);
+bool aspi_description_complete(aspi_completions *completions, int count, const char *const *words);
 
 /* surface.c */
 asp_code aspi_lambda_c_read(aspi_words *words, const aspi_keyword *keyword);
@@ -115,7 +115,7 @@ asp_code aspi_spread_read(aspi_words *words, const aspi_keyword *keyword);
 asp_code aspi_spread_finish(aspi_words *words);
 void aspi_spread_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
 asp_code aspi_law_read(aspi_words *words, const aspi_keyword *keyword);
-bool aspi_law_more(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
+bool aspi_law_parameter(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
 void aspi_law_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
 asp_code aspi_erosion_finish(aspi_words *words);
 

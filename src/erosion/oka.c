@@ -48,7 +48,7 @@ static const struct {
 /* (a H)^-b of each material of the wall. */
 static const double walls[] = {3, 10, 1000};
 
-static double or (double given, double default_value) {
+static double given_or(double given, double default_value) {
   return isnan(given) ? default_value : given;
 }
 
@@ -58,11 +58,12 @@ static double rate(const double *p, double v, double sine, double cosine, double
   double h = p[HARDNESS] * 1e-9;
   const double *k2 = kinds[kind].k2, *n1 = kinds[kind].n1, *n2 = kinds[kind].n2;
   double wear = isnan(p[A]) ? walls[(int)p[WALL]] : pow(p[A] * h, -p[B]);
-  double e90 = or (p[K], kinds[kind].k) * pow(wear, - or (p[K1], kinds[kind].k1)) *
-                      pow(v / or (p[SPEED], kinds[kind].speed), or (p[K2], k2[0] * pow(h, k2[1]))) *
-                      pow(d_p / or (p[DIAMETER], kinds[kind].diameter), or (p[K3], kinds[kind].k3));
-  return 1e-9 * e90 * pow(sine, or (p[N1], n1[0] * pow(h, n1[1]))) *
-         pow(1 + h * (1 - sine), or (p[N2], n2[0] * pow(h, n2[1])));
+  double e90 =
+      given_or(p[K], kinds[kind].k) * pow(wear, -given_or(p[K1], kinds[kind].k1)) *
+      pow(v / given_or(p[SPEED], kinds[kind].speed), given_or(p[K2], k2[0] * pow(h, k2[1]))) *
+      pow(d_p / given_or(p[DIAMETER], kinds[kind].diameter), given_or(p[K3], kinds[kind].k3));
+  return 1e-9 * e90 * pow(sine, given_or(p[N1], n1[0] * pow(h, n1[1]))) *
+         pow(1 + h * (1 - sine), given_or(p[N2], n2[0] * pow(h, n2[1])));
 }
 
 const aspi_erosion_law aspi_erosion_oka = {

@@ -69,8 +69,7 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   const asp_key key = {seed_, key_, parcel.key.tag, parcel.key.impact};
   Hit hit = {};
   asp_wall_impact(wall_.get(), &sphere, parcel.v1, parcel.n, &key, &hit);
-  const double d = sphere.d_p;
-  hit.mass = parcel.number * sphere.density * ASP_PI / 6 * d * d * d;
+  hit.mass = parcel.number * sphere.density * ASP_SPHERE_VOLUME(sphere.d_p);
   hit.eroded_mass = hit.mass * hit.eroded;
   for (int k = 0; k < 3; k++) {
     hit.energy += hit.mass / 2 * parcel.v1[k] * parcel.v1[k];

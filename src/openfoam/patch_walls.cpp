@@ -180,8 +180,7 @@ bool PatchWalls::removes(Parcel &parcel) {
   parcel.sphere.u_tau = u_tau(parcel);
   if (!of_patch_[parcel.patch]->removes(parcel, mesh_.time().deltaTValue()))
     return false;
-  const double d = parcel.sphere.d_p;
-  const double mass = parcel.number * parcel.sphere.density * ASP_PI / 6 * d * d * d;
+  const double mass = parcel.number * parcel.sphere.density * ASP_SPHERE_VOLUME(parcel.sphere.d_p);
   sums_[parcel.patch * N_SUMS + REMOVED]++;
   sums_[parcel.patch * N_SUMS + REMOVED_MASS] += mass;
   deposited_->boundaryFieldRef()[parcel.patch][parcel.face] -= mass;

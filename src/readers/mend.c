@@ -301,8 +301,8 @@ asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_prof
     code = level(raw, options, report, error);
   if (!code)
     code = fill_gaps(raw, report, error);
-  if (!code && !raw->is_map)
-    code = aspi_filter(raw->z, raw->points, raw->step[0], &options->filters, error);
+  if (!code && !raw->is_map && options->lambda_s > 0)
+    code = aspi_filter(raw->z, raw->points, raw->step[0], options->lambda_s, error);
   if (code)
     return code;
   aspi_raw_range(raw, &least, &most);

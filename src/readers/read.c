@@ -19,7 +19,6 @@ aspi_profile_options aspi_profile_options_default(void) {
 /* Adds what was read to what was mended. */
 static void write_report(aspi_profile_report *r, const aspi_raw *raw,
                          const aspi_profile_options *options) {
-  const aspi_filters *f = &options->filters;
   *r->text = '\0';
   if (raw->is_map)
     aspi_append(r->text, sizeof r->text, "%zu x ", raw->columns);
@@ -30,12 +29,8 @@ static void write_report(aspi_profile_report *r, const aspi_raw *raw,
   if (r->filled)
     aspi_append(r->text, sizeof r->text, ", %zu points filled in (longest gap %zu)", r->filled,
                 r->longest_gap);
-  if (f->tip > 0)
-    aspi_append(r->text, sizeof r->text, ", tip %g m", f->tip);
-  if (f->lambda_s > 0)
-    aspi_append(r->text, sizeof r->text, ", lambda_s %g m", f->lambda_s);
-  if (f->cutoff > 0)
-    aspi_append(r->text, sizeof r->text, ", cutoff %g m", f->cutoff);
+  if (options->lambda_s > 0)
+    aspi_append(r->text, sizeof r->text, ", lambda_s %g m", options->lambda_s);
   if (options->form >= 0)
     aspi_append(r->text, sizeof r->text, ", polynomial of degree %d taken out", options->form);
   else
@@ -63,7 +58,9 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *o, aspi_ra
     return code;
   return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, o, raw, error)
          : format == ASP_FORMAT_ZIP ? aspi_read_x3p(text, o, raw, error)
-                                    : aspi_read_sdf(text, format, o, raw, error);
+         : format == ASP_FORMAT_SUR
+             ? aspi_read_sur(text, o, raw, error)
+             : aspi_read_sdf(text, format == ASP_FORMAT_SDF_BINARY, o, raw, error);
 }
 
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
@@ -110,7 +107,8 @@ asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char 
   options.meter = meter;
   asp_heights *heights =
       aspi_read(NULL, aspi_word_or_empty(path), is_map, &options, &report, error);
-  *doubt = (asp_error){ASP_OK, ""};
+  if (doubt)
+    *doubt = (asp_error){ASP_OK, ""};
   if (*report.warnings)
     aspi_fail(doubt, ASP_EDATA, "%s", report.warnings);
   if (text)

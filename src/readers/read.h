@@ -9,13 +9,6 @@
 /* The highest degree of a form. */
 enum { ASP_FORM_MAX = 9 };
 
-/* The filters of instruments. Lengths in m; 0: that one is left out. They work in this order. */
-typedef struct aspi_filters {
-  double tip;      /* radius of the stylus */
-  double lambda_s; /* shorter waves are taken out, */
-  double cutoff;   /* and longer ones (lambda_c of ISO 21920-3, not the correlation length) */
-} aspi_filters;
-
 /* Options of reading a measured profile or map. */
 typedef struct aspi_profile_options {
   double unit_x, unit_z; /* meters in one unit of a text file's columns; 0: as the file states */
@@ -28,10 +21,10 @@ typedef struct aspi_profile_options {
   const char *column; /* NULL, or: of an SDF map, that column instead; of a text file, the heights,
                          by number from 1 or by name */
   const char *x_column; /* of a text file, the positions alike; NULL: by the header */
-  double step[2]; /* m, of a text file that has heights alone: between those of a profile ([0]), or
-                     the columns and the rows of a matrix; 0: as the file states */
-  double missing; /* the height that marks a missing one; NAN: there is none */
-  aspi_filters filters;
+  double step[2];  /* m, of a text file that has heights alone: between those of a profile ([0]), or
+                      the columns and the rows of a matrix; 0: as the file states */
+  double missing;  /* the height that marks a missing one; NAN: there is none */
+  double lambda_s; /* of a profile: shorter waves are taken out, m; 0: none are */
 } aspi_profile_options;
 
 /* Defaults: units as stated, meters, mean line subtracted, gaps refused, unequal spacing resampled,
@@ -96,30 +89,25 @@ typedef enum aspi_format {
 } aspi_format;
 asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error);
 
-/* Heights on a grid, of which the scales are m; NAN for what a header does not say. */
-typedef struct aspi_sdf {
-  double points, profiles, x_scale, y_scale, z_scale, compression;
-  int type;    /* of binary heights, by their number in SDF; -1 in ASCII */
-  double mark; /* mark of a missing height, before z_scale; NAN: none */
-} aspi_sdf;
-
-/* The readers of a text at its beginning, columns, SDF or SUR, X3P, and of the heights of a grid.
- * They leave raw->z to be freed by the caller, on error too. */
+/* The readers of a text at its beginning. They leave raw->z to be freed by the caller, on error
+ * too.
+ */
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error);
-asp_code aspi_read_sdf(aspi_text *text, aspi_format format, const aspi_profile_options *options,
+asp_code aspi_read_sdf(aspi_text *text, bool is_binary, const aspi_profile_options *options,
                        aspi_raw *raw, asp_error *error);
+asp_code aspi_read_sur(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
+                       asp_error *error);
 asp_code aspi_read_x3p(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error);
-asp_code aspi_read_grid(aspi_text *text, const aspi_sdf *grid, const aspi_profile_options *options,
-                        aspi_raw *raw, asp_error *error);
 
 /* Subtracts the form, marks spikes, fills or refuses gaps, filters, and reports what it did. */
 asp_code aspi_mend(aspi_raw *raw, const aspi_profile_options *options, aspi_profile_report *report,
                    asp_error *error);
 
-/* Filters heights at equal spacing, in place. ASP_EARG if a length does not fit the profile. */
-asp_code aspi_filter(double *heights, size_t points, double spacing, const aspi_filters *filters,
+/* Takes waves shorter than lambda_s out of heights at equal spacing, in place. ASP_EARG if it does
+ * not fit the profile. */
+asp_code aspi_filter(double *heights, size_t points, double spacing, double lambda_s,
                      asp_error *error);
 
 /* ---- warnings about heights: dust, few steps, clipped ---- */

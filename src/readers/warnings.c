@@ -1,5 +1,5 @@
-/* Warnings about measured heights; see read.h: marks of missing heights, quantized or clipped
- * heights, too few points per particle, too few correlation lengths.
+/* Warnings about measured heights; see read.h: dust, quantized or clipped heights, too few points
+ * per particle, too few correlation lengths.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "readers/read.h"
@@ -9,49 +9,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-
-/* ---- marks of missing heights ---- */
-
-/* Marks that instruments write for missing heights. */
-static const double known[] = {999,   999.9, 9999,  9999.9, 99999, 999999,
-                               32767, 32768, 65535, 1e10,   1e30,  1e38};
-
-/* A height this many ranges of all others away from them may be a mark. */
-#define OFF 10
-
-static bool is_known(double height) {
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (fabs(fabs(height) - known[i]) <= 1e-7 * known[i]) /* as single precision has it, too */
-      return true;
-  return false;
-}
-
-double aspi_missing_note(aspi_missing *m, double height, size_t line) {
-  if (!isfinite(height) || fabs(height - m->stated) <= ASPI_ROUNDING_TEXT * fabs(m->stated))
-    return NAN;
-  if (!is_known(height)) {
-    m->least = m->count ? fmin(m->least, height) : height;
-    m->most = m->count ? fmax(m->most, height) : height;
-    m->count++;
-  } else if (fabs(height) > fabs(m->mark)) {
-    m->mark = height;
-    m->line = line;
-  }
-  return height;
-}
-
-asp_code aspi_missing_check(const aspi_missing *m, const char *path, asp_error *error) {
-  double range = m->most - m->least;
-  bool off = m->mark < m->least - OFF * range || m->mark > m->most + OFF * range;
-  if (m->count == 0 || !(fabs(m->mark) > 0) || !off)
-    return ASP_OK;
-  return aspi_file_fail(path, m->line, error,
-                        "height %.10g beside heights of %g to %g: is it a mark for a missing "
-                        "height? If so: asperity surface --missing %.10g",
-                        m->mark, m->least, m->most, m->mark);
-}
-
-/* ---- steps and ends ---- */
 
 /* Heights are quantized if they have at most this many values, each many times. */
 enum { LEVELS_MOST = 64, POINTS_PER_LEVEL = 10 };

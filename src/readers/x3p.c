@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
-#include "readers/read.h"
+#include "readers/grid.h"
 
 #ifdef ASPI_X3P
 
@@ -19,7 +19,7 @@
 typedef struct x3p {
   char at[200], text[300]; /* the path of the current element, and its text */
   char data[200], valid[200], z_axis[8], z_type[8];
-  aspi_sdf grid;
+  aspi_height_grid grid;
   double offset;
   FILE *heights;
   bool in_xml;

@@ -87,7 +87,7 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   const asp_pair *pair = hit->pair;
   double n1 = hit->v_n1, t1 = hit->v_t1, speed = sqrt(n1 * n1 + t1 * t1), density = hit->density;
   double yield =
-      p[YIELD_RATE] > 0 ? p[YIELD_RATE] * speed * (1 + pair->harder) : pair->yield_stress;
+      p[YIELD_RATE] > 0 ? p[YIELD_RATE] * speed * (1 + pair->yield_excess) : pair->yield_stress;
   double v_y = yield * softened(p, hit->temperature) / sqrt(density * pair->modulus);
   double n2 = fmin(n1, v_y);
   if (hit->adhesion && pair->surface_energy > 0) {

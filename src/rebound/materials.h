@@ -24,7 +24,7 @@ struct asp_pair {
   double surface_energy; /* gamma, energy per area, >= 0; 0 switches adhesion off */
   double friction;       /* mu, >= 0 */
   double wall_density;
-  double harder; /* one grain's yield stress over the material's, minus 1 */
+  double yield_excess; /* one grain's yield stress over the material's, minus 1 */
 };
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:

@@ -25,7 +25,7 @@ double aspi_flow_adhesion(const aspi_flow *flow, double d_p) {
 double aspi_flow_share(const aspi_flow *flow, double d_p, const asp_key *key) {
   double by_size = 1.8 + 0.136 * pow(0.5 * d_p / flow->micron, 1.4);
   double spread = flow->spread > 0 ? flow->spread : flow->adhesion > 0 ? 1 : by_size;
-  return aspi_flow_adhesion(flow, d_p) * pow(spread, aspi_stream_own(key, ASPI_OWN_ADHESION));
+  return aspi_flow_adhesion(flow, d_p) * pow(spread, aspi_stream_trait(key, ASPI_TRAIT_ADHESION));
 }
 
 double aspi_flow_rate(const aspi_flow *flow, const asp_particle *particle, double share) {

@@ -113,13 +113,13 @@ static aspi_node at(const void *of, double x, bool upper) {
   return p;
 }
 
-double aspi_effective_density(const aspi_spread_input *view, double delta) {
+static double density(const aspi_spread_input *view, double delta) {
   variate w = variate_at(view);
   double x = delta / w.sigma;
   return x > w.lo && x < w.hi ? at(&w, x, false).density / w.sigma : 0;
 }
 
-double aspi_effective_distribution(const aspi_spread_input *view, double delta) {
+static double distribution(const aspi_spread_input *view, double delta) {
   variate w = variate_at(view);
   double x = delta / w.sigma;
   if (!(x > w.lo))
@@ -128,7 +128,7 @@ double aspi_effective_distribution(const aspi_spread_input *view, double delta) 
 }
 
 /* Starts from the quantile of `visible`, which is the limit for small sigma. */
-double aspi_effective_quantile(const aspi_spread_input *view, double u) {
+static double quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   variate w = variate_at(view);
@@ -142,7 +142,7 @@ const asp_spread_model aspi_spread_effective = {
     .summary = "normal distribution, weighted by the width that a face shows to the particle",
     .source = "Sommerfeld & Huber 1999; Altmeppen et al. 2020, eq. 4",
     .covers_rising = true,
-    .density = aspi_effective_density,
-    .distribution = aspi_effective_distribution,
-    .quantile = aspi_effective_quantile,
+    .density = density,
+    .distribution = distribution,
+    .quantile = quantile,
 };

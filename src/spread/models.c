@@ -38,8 +38,9 @@ aspi_spread_input aspi_spread_input_of(double sigma, double alpha1) {
 
 bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *view,
                       aspi_stream *stream, double *delta) {
-  if (model->loop)
-    return model->loop(view, stream, delta);
+  aspi_path path = {0};
+  if (!model->quantile)
+    return model->follow(view, stream, &path, delta);
   *delta = model->quantile(view, aspi_stream_uniform(stream));
   return true;
 }

@@ -60,17 +60,11 @@ struct asp_spread_model {
   bool geometry;       /* includes the smaller slopes of summits at grazing incidence */
   bool covers_rising;  /* also covers particles that fly up: faces with delta > -alpha1; otherwise
                           `visible` covers them */
-  /* Probability that a particle leaves the wall after a face has sent it up at theta > 0 over the
-   * mean wall. NULL: by the heights of a Gaussian wall. */
-  double (*escape)(const aspi_spread_input *view, double theta);
   /* Density in 1/rad and distribution at delta; NULL for `none`. */
   double (*density)(const aspi_spread_input *view, double delta);
   double (*distribution)(const aspi_spread_input *view, double delta);
-  /* The delta at which the distribution is u, 0 < u < 1; NULL if the model is a loop only. */
+  /* The delta at which the distribution is u, 0 < u < 1; NULL if the model follows particles. */
   double (*quantile)(const aspi_spread_input *view, double u);
-  /* Draws one delta by a loop; NULL: by the quantile. False when the loop reached its bound (delta
-   * is then 0, the mean wall). */
-  bool (*loop)(const aspi_spread_input *view, aspi_stream *stream, double *delta);
   /* Makes aspi_spread_input.data out of the heights of a wall, NULL on error, and frees it; NULL
    * where none is needed. */
   void *(*prepare)(const aspi_height_field *of, const aspi_sizes *sizes, asp_error *error);
@@ -81,7 +75,8 @@ struct asp_spread_model {
                  double *delta);
 };
 
-/* One delta of the model, from the stream; false when a loop reached its bound. */
+/* One delta of the model, from the stream: a first face where it follows particles; false if there
+ * is none. */
 bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *view,
                       aspi_stream *stream, double *delta);
 
@@ -92,7 +87,6 @@ bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *vi
   X(effective)                                                                                     \
   X(truncated)                                                                                     \
   X(weibull)                                                                                       \
-  X(multicollision)                                                                                \
   X(visible)                                                                                       \
   X(profile)                                                                                       \
   X(traced)
@@ -115,13 +109,9 @@ double aspi_cut_normal_density(double sigma, double lo, double hi, double delta)
 double aspi_cut_normal_distribution(double sigma, double lo, double hi, double delta);
 double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u);
 
-/* Distributions that two models share: the first face of `multicollision` follows `effective`, and
- * the loop of `rejection` samples `truncated`. */
-double aspi_effective_density(const aspi_spread_input *view, double delta);
-double aspi_effective_distribution(const aspi_spread_input *view, double delta);
-double aspi_effective_quantile(const aspi_spread_input *view, double u);
-
+/* The law that `truncated` and `rejection` share. */
 double aspi_truncated_density(const aspi_spread_input *view, double delta);
 double aspi_truncated_distribution(const aspi_spread_input *view, double delta);
+double aspi_truncated_quantile(const aspi_spread_input *view, double u);
 
 #endif

@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/places.h"
 #include "base/error.h"
+#include "base/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -121,33 +122,26 @@ static bool look_at(const aspi_row_places *p, const aspi_row_place *at, search *
   return true;
 }
 
+static bool is_flatter(const void *places, size_t i, double steepness) {
+  return (double)((const aspi_row_place *)places)[i].steepness < steepness;
+}
+
 static void look_through(const aspi_row_places *p, size_t strip, search *s) {
   const aspi_row_place *first = p->place + strip * p->strip;
-  size_t n = strip_size(p, strip), low = 0, high = n;
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if ((double)first[middle].steepness < s->steepness)
-      low = middle + 1;
-    else
-      high = middle;
-  }
+  size_t n = strip_size(p, strip), low = aspi_count_below(first, n, s->steepness, is_flatter);
   for (size_t i = low; i < n && look_at(p, &first[i], s); i++)
     ;
   for (size_t i = low; i > 0 && look_at(p, &first[i - 1], s); i--)
     ;
 }
 
+static bool begins_below(const void *bottom, size_t i, double height) {
+  return (double)((const float *)bottom)[i] <= height;
+}
+
 /* The strip of a height. */
 static size_t strip_at(const aspi_row_places *p, double height) {
-  size_t low = 0, high = p->strips - 1;
-  while (low < high) {
-    size_t middle = (low + high + 1) / 2;
-    if ((double)p->bottom[middle] <= height)
-      low = middle;
-    else
-      high = middle - 1;
-  }
-  return low;
+  return aspi_count_below(p->bottom + 1, p->strips - 1, height, begins_below);
 }
 
 /* True if a strip whose nearest height this is may have a better place. */

@@ -194,18 +194,12 @@ static bool trace_hit(const aspi_spread_input *view, aspi_stream *stream, aspi_p
   return true;
 }
 
-static bool draw(const aspi_spread_input *view, aspi_stream *stream, double *delta) {
-  aspi_path path = {0};
-  return trace_hit(view, stream, &path, delta);
-}
-
 const asp_spread_model aspi_spread_traced = {
     .name = "traced",
     .summary = "the particle followed over the heights of the wall, hit by hit",
     .source = "geometry",
     .geometry = true,
     .covers_rising = true,
-    .loop = draw,
     .prepare = prepare,
     .release = release,
     .follow = trace_hit,

@@ -1,5 +1,5 @@
 /* The normal distribution cut at delta_alpha = -alpha1/2 (eq. 5 with mu = 0, b = -alpha1/2), by
- * inverse transform. It is the distribution that the rejection routines sample, without their loop.
+ * inverse transform.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
@@ -12,7 +12,7 @@ double aspi_truncated_distribution(const aspi_spread_input *view, double delta) 
   return aspi_cut_normal_distribution(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-static double quantile(const aspi_spread_input *view, double u) {
+double aspi_truncated_quantile(const aspi_spread_input *view, double u) {
   if (view->sigma < ASP_SIGMA_ZERO)
     return 0;
   return aspi_cut_normal_quantile(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, u);
@@ -20,9 +20,9 @@ static double quantile(const aspi_spread_input *view, double u) {
 
 const asp_spread_model aspi_spread_truncated = {
     .name = "truncated",
-    .summary = "normal distribution cut at -alpha1/2: rejection in one step",
+    .summary = "normal distribution cut at -alpha1/2, where the rebound would not leave the wall",
     .source = "Altmeppen et al. 2020, eq. 5",
     .density = aspi_truncated_density,
     .distribution = aspi_truncated_distribution,
-    .quantile = quantile,
+    .quantile = aspi_truncated_quantile,
 };

@@ -281,7 +281,7 @@ asp_code aspi_heights_check(const asp_heights *h, const asp_heights_numbers *d, 
         is_map ? "shorter " : "", d->lambda_1, SPACINGS_LEAST,
         is_map
             ? ""
-            : "; take short waves out (asperity surface --filter 'lambda_s LENGTH' --save FILE)");
+            : "; take short waves out (asperity surface --lambda_s LENGTH --save FILE)");
   if (phi_r > PHI_R_MOST)
     return aspi_fail(error, ASP_EDATA,
                      "phi_r = %s is %g; over %g is no roughness: are the units of positions and "

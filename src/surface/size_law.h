@@ -6,6 +6,16 @@
 
 #include "asperity_internal.h"
 
+#include <math.h>
+
+/* kappa of asp_surface_kappa, by phi_r = r_q/lambda_c. */
+static inline double aspi_kappa(double d_p, double phi_r, double lambda_c) {
+  return sqrt(3) * d_p * phi_r / lambda_c;
+}
+
+/* Length of a face over lambda_c (asp_surface_face_length). */
+#define ASPI_FACE_LENGTH (ASP_PI / sqrt(2))
+
 /* Below this kappa the filter reduces the slope by less than 1e-4 and is left out. */
 #define ASPI_KAPPA_NO_FILTER 0.08
 

@@ -94,9 +94,9 @@ static void set_by_table(asp_surface *surface, double phi_r) {
     double size = SIZE_TABLE_SIZE_FIRST * pow(2, 0.5 * i), correction[2];
     for (int k = 0; k < 2; k++) {
       double phi = PHI_R_CLOSED + (below + k) * SIZE_TABLE_PHI_STEP;
-      correction[k] = below + k == 0
-                          ? 1
-                          : size_table[below + k - 1][i] / aspi_closed_form(sqrt(3) * size * phi);
+      correction[k] = below + k == 0 ? 1
+                                     : size_table[below + k - 1][i] /
+                                           aspi_closed_form(aspi_kappa(size, phi, 1));
     }
     surface->value[i] = correction[0] + part * (correction[1] - correction[0]);
   }
@@ -129,7 +129,7 @@ asp_surface *asp_surface_create(double r_q, double lambda_c, asp_error *error) {
   surface->lambda_c = surface->lambda_along = lambda_c;
   surface->phi_r = phi_r;
   surface->slope = sqrt(2) * phi_r;
-  surface->curvature = sqrt(3) * phi_r / lambda_c;
+  surface->curvature = aspi_kappa(1, phi_r, lambda_c);
   surface->closed_form = true;
   surface->d_p_most = KAPPA_MOST / surface->curvature;
   if (table)
@@ -212,7 +212,7 @@ asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min
   surface->lambda_c = surface->lambda_along = d.lambda_1;
   surface->phi_r = d.s_q / d.lambda_1;
   surface->slope = d.s_dq;
-  surface->curvature = sqrt(3) * d.s_q / (d.lambda_1 * d.lambda_1);
+  surface->curvature = aspi_kappa(1, surface->phi_r, d.lambda_1);
   surface->bins = bins;
   surface->uncertainty = ASP_LENGTH_ERROR((double)profile->columns * profile->step[0] / d.lambda_1);
   if (set_by_profile(surface, profile, d_min, d_max, error)) {
@@ -283,7 +283,7 @@ double asp_surface_lambda_along(const asp_surface *surface) {
 /* Half of the mean distance of a profile's upward crossings of its mean line: 2 pi r_q/s for
  * Gaussian heights (Rice 1944), with s = sqrt(2) r_q/lambda_c. */
 double asp_surface_face_length(const asp_surface *surface, double d_p) {
-  return surface->lambda_c > 0 ? ASP_PI / sqrt(2) * surface->lambda_c : d_p;
+  return surface->lambda_c > 0 ? ASPI_FACE_LENGTH * surface->lambda_c : d_p;
 }
 
 double aspi_surface_stretch(const asp_surface *surface) {

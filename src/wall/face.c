@@ -13,6 +13,7 @@
  * comparison.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/size_law.h"
 #include "wall/roughness.h"
 
 #include <math.h>
@@ -54,7 +55,7 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
   aspi_roughness rough = aspi_roughness_of(wall, particle, load(n));
   aspi_heading heading = heading_along(&rough, load(along), load(n));
   double slope = aspi_roughness_along(&rough, heading).slope;
-  double lambda = asp_surface_face_length(wall->surface, particle->d_p) * (sqrt(2) / ASP_PI) *
+  double lambda = asp_surface_face_length(wall->surface, particle->d_p) / ASPI_FACE_LENGTH *
                   stretch(&rough, heading);
   double share = aspi_stream_uniform(&stream);
   if (wall->isotropic)

@@ -50,7 +50,7 @@ static double inverse_mass(const asp_body *body, vec m) {
 static bool rebound_body(const asp_wall *wall, const asp_particle *particle, const frame *f,
                          vec local, double approach, aspi_stream *stream, vec *spin, vec *out) {
   const asp_body *body = particle->body;
-  double r = particle->d_p / 2, volume = ASP_PI / 6 * particle->d_p * particle->d_p * particle->d_p;
+  double r = particle->d_p / 2, volume = ASP_SPHERE_VOLUME(particle->d_p);
   vec m = to_lab(f, local), lever = load(body->lever), arm = plus(lever, wall->spins ? -r : 0, m);
   vec before = to_lab(f, (vec){f->v_t, 0, -f->v_n});
   vec at = wall->spins ? plus(before, -r, cross(*spin, m)) : before;

@@ -9,6 +9,7 @@
  * tangential CoR turns negative.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "surface/size_law.h"
 #include "wall/hit.h"
 #include "wall/impact.h"
 #include "wall/roughness.h"
@@ -247,10 +248,6 @@ static void add_ratios(const asp_wall *wall, const passage *fly, const frame *no
 static bool escapes(const asp_wall *wall, passage *fly, vec out) {
   if (wall->follow)
     return false;
-  double along = hypot(out.x, out.y);
-  if (wall->spread->escape)
-    return out.z > 0 && aspi_stream_uniform(fly->stream) <
-                            wall->spread->escape(&fly->now.view, atan2(out.z, along));
   double slope = fly->now.slopes.slope;
   if (aspi_roughness_has_lay(fly->rough))
     slope = aspi_roughness_along(fly->rough, aspi_heading_turned(fly->heading, out.x, out.y)).slope;
@@ -386,22 +383,6 @@ void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *partic
   to_center(particle, impact);
 }
 
-asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, const asp_key *key,
-                           asp_pair *pair) {
-  asp_particle own = aspi_with_pair(wall, particle);
-  if (!wall->varies || !own.pair)
-    return own;
-  *pair = *own.pair;
-  if (wall->scatter > 0) {
-    pair->harder = expm1(wall->scatter * aspi_stream_own(key, ASPI_OWN_YIELD));
-    pair->yield_stress *= 1 + pair->harder;
-  }
-  if (wall->flow.adhesion > 0)
-    pair->surface_energy *= aspi_flow_share(&wall->flow, own.d_p, key);
-  own.pair = pair;
-  return own;
-}
-
 /* A slope s_eff x with the density x exp(-x^2/2), the law of faces met along the wall. */
 static double rayleigh(const aspi_slopes_along *slopes, aspi_stream *stream) {
   return slopes->slope * sqrt(-2 * log(aspi_stream_uniform(stream)));
@@ -454,7 +435,7 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
   aspi_slopes_along slopes = aspi_roughness_along(&rough, aspi_heading_of(&rough, &f));
   double p = rayleigh(&slopes, &stream);
-  double lambda_c = sqrt(2) / ASP_PI * asp_wall_face_length(wall, particle, v1, n);
+  double lambda_c = asp_wall_face_length(wall, particle, v1, n) / ASPI_FACE_LENGTH;
   f.v_n = 0;
   if (has_kink(wall, &slopes, &stream))
     f = turned_down(particle, &f, along, rayleigh(&slopes, &stream));

@@ -30,4 +30,18 @@ typedef struct aspi_ratios {
 void aspi_impact_at(const asp_wall *wall, bool rough, const asp_particle *particle, vec v, vec n,
                     aspi_stream *stream, const aspi_ratios *ratios, asp_impact *impact);
 
+/* The same for an eccentric grain, whose lever is drawn. If its center still approaches the wall
+ * after a hit, it hits again with another point, and after ASP_HITS_MAX hits as a sphere. */
+void aspi_impact_eccentric(const asp_wall *wall, bool rough, const asp_particle *particle, vec v,
+                           vec n, aspi_stream *stream, const aspi_ratios *ratios,
+                           asp_impact *impact);
+
+/* asp_wall_impact for a grain as aspi_as_grain has it. */
+asp_code aspi_impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
+                        const double v1[3], const double n[3], const asp_key *key,
+                        const aspi_ratios *ratios, asp_impact *impact);
+
+/* The message of the code of an impact. */
+asp_code aspi_fail_law(const asp_wall *wall, asp_code code, asp_error *error);
+
 #endif

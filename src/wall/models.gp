@@ -15,7 +15,7 @@ plot [-30:40] [0:0.075] \
   pdf("normal")    w l ls model_normal t "normal", \
   pdf("truncated") w l ls model_truncated t "truncated, rejection", \
   pdf("weibull")   w l ls model_weibull t "weibull", \
-  pdf("effective") w l ls model_effective t "effective, multicollision", \
+  pdf("effective") w l ls model_effective t "effective", \
   pdf("visible")   w l ls model_visible t "visible", \
   pdf("profile")   w l ls model_profile t "profile"
 

@@ -30,11 +30,11 @@ static bool is_rough(const aspi_wall_choice *choice) {
 static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
   const asp_rebound_law *law = choice->law;
   bool scatters = law->scatters && law->scatters(choice->parameters);
-  if (is_rough(choice) && scatters && !choice->scatter_twice)
+  if (is_rough(choice) && scatters)
     return aspi_fail(error, ASP_EARG,
                      "rebound law '%s' draws a measured scatter, which holds the roughness of the "
                      "measured wall already; on a rough wall it would count twice. Take its means, "
-                     "or a smooth wall, or ask for both (scatter_twice)",
+                     "or a smooth wall",
                      law->name);
   return ASP_OK;
 }
@@ -103,7 +103,7 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
   wall->follow = wall->data ? spread->follow : NULL;
   wall->has_cross_slope = wall->data && choice->heights && choice->heights->rows > 1;
   wall->isotropic = choice->isotropic || wall->has_cross_slope;
-  wall->multiple = choice->multiple || spread->escape || spread->follow;
+  wall->multiple = choice->multiple || spread->follow;
   aspi_wall_take_law(wall, choice);
   return code;
 }

@@ -22,8 +22,7 @@ typedef struct aspi_wall_choice {
   const aspi_cor_table *table;
   const asp_pair *pair; /* for particles without a pair; may be NULL */
   bool deposit;
-  bool scatter_twice; /* allows a law that draws scatter on a rough wall */
-  aspi_flow flow;     /* takes away what sticks */
+  aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
   double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */

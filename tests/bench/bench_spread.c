@@ -356,7 +356,7 @@ static span cost_over_angles(const inputs *in, int model, void *const *data, dou
     s.one_angle = true;
     s.view.alpha1 = tau[k] * in->sigma;
     if (s.view.alpha1 <= ASP_PI / 2)
-      add(&r, s.model->loop ? draws : quantiles, &s);
+      add(&r, s.model->quantile ? quantiles : draws, &s);
   }
   bench_run(r.works, r.count, PLACE_ROUNDS);
   return span_of(r.works, tau, r.count, sigma);
@@ -368,7 +368,7 @@ static void span_row(const asp_spread_model *model, const span *s) {
            model->name);
   snprintf(unit, sizeof unit, "x (%.3g ns at %.3g / %.3g ns at %.3g, sigma %g)", s->most,
            s->most_at, s->least, s->least_at, s->sigma);
-  if (model->loop || model->escape) /* of a random number of steps */
+  if (!model->quantile) /* of a random number of steps */
     printf("%s\t%.3g %s\t-\t-\n", what, s->ratio, unit);
   else
     bench_row(what, s->ratio, unit, "<=", 2);

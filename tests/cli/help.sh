@@ -66,7 +66,7 @@ done
 
 # The words of a description, from their table: every clause and every word in it, with its values.
 "$asperity" help wall > wall
-for word in surface spread rebound materials friction surface_energy yield_stress deposit seed rq lambda_c lay dp_bins plane collisions scatter_twice remove u_tau; do
+for word in surface spread rebound materials friction surface_energy yield_stress deposit seed rq lambda_c lay dp_bins plane collisions remove u_tau; do
   grep -q "^ *$word " wall || die "help wall: $word"
 done
 for name in visible weibull bons thornton_ning yield_rate; do grep -qw "$name" wall || die "help wall: $name"; done

@@ -27,10 +27,9 @@ printf 'alpha1_deg,cor_n,cor_t\n10,1.5,-0.3\n90,0.4,0.5\n' > beyond.csv
 smooth rebound table beyond.csv --plot beyond.svg > a 2> err
 grep -q '> *1.4<' beyond.svg && grep -q '> *-0.2<' beyond.svg || die "the axes do not grow"
 
-# Scatter that is counted twice: the means warn, the scatter is refused unless asked for.
+# Scatter that is counted twice: the means warn, the scatter is refused.
 "$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff --samples 2 -o x 2> err
 grep -q "warning.*counts twice" err || die "cor: no warning: $(cat err)"
-"$asperity" cor surface rq 5um lambda_c 40um rebound grant_tabakoff scatter 1 scatter_twice --samples 2 -o x 2> err
 "$asperity" cor rebound grant_tabakoff scatter 1 --samples 2 -o x 2> err
 [ ! -s err ] || die "cor: a warning on a smooth wall: $(cat err)"
 

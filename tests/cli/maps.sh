@@ -23,7 +23,7 @@ awk -F, '/^[0-9]/ { if (!($3 > 4 && $3 < 6.5 && $4 > 14 && $4 < 28 && $5 > 23 &&
 "$asperity" surface surface map sdf --dp 2um,20um --plot map.svg > plot.out 2> err || die "surface --map --plot: $(cat err)"
 cmp <(sed 1,2d plot.out) <(sed 1,2d matrix.out) && grep -q 'rms contact slope' map.svg || die "surface --map --plot"
 grep -q '^# ISO 25178-2, unfiltered: S_q .* S_al .* S_tr ' matrix.out || die "surface --map: parameters"
-for option in "x-column 1" "column 2" "row 2" "filter x"; do
+for option in "x-column 1" "column 2" "row 2" "lambda_s 9um"; do
   refuses 2 "${option% *} does not apply to 'surface map'" -- surface surface map sdf --dp 20um --$option
 done
 printf 'DSCOMPRESSED' > closed

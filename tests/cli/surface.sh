@@ -50,7 +50,7 @@ awk 'BEGIN { srand(4); print "n,a,b"; for (i = 0; i < 900; i++) print i "," 0.5 
 refuses 2 "asperity surface --x-column 1 --column 2" -- surface surface profile lettered.csv --unit um
 sed 's/n,a,b/n,x_um,z_um/' lettered.csv > marked.csv
 refuses 2 "marked.csv:72: height -9999 beside heights of" "asperity surface --missing -9999" -- surface surface profile marked.csv
-"$asperity" surface surface profile lettered.csv --unit um --x-column a --column 3 --missing -9999 --gaps fill --filter 'lambda_s 9um' --dp 20um 2> err |
+"$asperity" surface surface profile lettered.csv --unit um --x-column a --column 3 --missing -9999 --gaps fill --lambda_s 9um --dp 20um 2> err |
   grep -q '900 points read, 1 bad, of columns 2 and 3, 1 points filled in' || die "--x-column --column --missing: $(cat err)"
 "$asperity" surface surface profile map.sdf --dp 4um --row 7 2>&1 | grep -q '200 points; ' || die "--row"
 "$asperity" surface surface profile map.sdf --dp 4um --column 7 2>&1 | grep -q 'spacing 2 um, 40 points; ' || die "--column"
@@ -65,20 +65,19 @@ for command in "cor surface" "spread surface"; do
   grep -q 'covers .* points' err || die "$command: few points are not told"
 done
 
-# Filters: a wave of 800 um and one of 8 um, of which half passes at the cut-off; and the tip. What they do to heights is unit/test_filter.c.
-{ echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 16000; i++) { x = 0.5 * i; printf "%.1f,%.6f\n", x, sin(x * 6.2831853 / 800) + 0.1 * sin(x * 6.2831853 / 8) } }'; } > waves.csv
-rq_of() { "$asperity" surface surface profile waves.csv --dp 2um ${1:+--filter "$1"} 2> err | grep '^# length' | sed 's/.*R_q \([0-9.e-]*\) um.*/\1/'; }
+# Filter: a wave of 800 um and one of 8 um, of which half passes at the cut-off. What it does to heights is unit/test_filter.c.
+{ echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 16000; i++) { x = 0.5 * i; printf "%.1f,%.6f\n", x, 0.1 * sin(x * 6.2831853 / 800) + 0.1 * sin(x * 6.2831853 / 8) } }'; } > waves.csv
+rq_of() { "$asperity" surface surface profile waves.csv --dp 2um "$@" 2> err | grep '^# length' | sed 's/.*R_q \([0-9.e-]*\) um.*/\1/'; }
 near() { awk -v a="$1" -v b="$2" -v part="$3" 'BEGIN { exit !(a > b * (1 - part) && a < b * (1 + part)) }' || die "$4: $1, not $2"; }
-near "$(rq_of)" 0.7106 0.01 "no filter"
+near "$(rq_of)" 0.1 0.01 "no filter"
 grep -q 'covers 4 points' err || die "few points per particle"
-near "$(rq_of "lambda_s 8um cutoff 80um")" 0.0354 0.03 "half of the short wave is left"
-"$asperity" surface surface profile waves.csv --dp 20um --filter "tip 1um" > m 2> err
-grep -q ', tip 1e-06 m' m || die "--tip is not told"
+near "$(rq_of --lambda_s 8um)" 0.0791 0.01 "half of the short wave is left"
+"$asperity" surface surface profile waves.csv --dp 20um --lambda_s 8um 2> err | grep -q ', lambda_s 8e-06 m' || die "--lambda_s is not told"
 
 # Heights that cannot be roughness.
 { echo x_um,z_um; awk 'BEGIN { srand(3); for (i = 0; i < 4000; i++) print i "," rand() }'; } > noise.csv
-refuses 2 noise.csv 'spacings of the points' --filter -- surface surface profile noise.csv --dp 20um
-"$asperity" surface surface profile noise.csv --dp 20um --filter 'lambda_s 20um' > /dev/null 2> err || die "noise filtered: $(cat err)"
+refuses 2 noise.csv 'spacings of the points' --lambda_s -- surface surface profile noise.csv --dp 20um
+"$asperity" surface surface profile noise.csv --dp 20um --lambda_s 20um > /dev/null 2> err || die "noise filtered: $(cat err)"
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 4000; i++) print i * 0.001 "," 10 * sin(i * 0.01) }'; } > steep.csv
 refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
 

@@ -52,13 +52,8 @@ steeper "cor --map --lay" "$(both "$(impacts 90)" "$(impacts -90)")" "$(both "$(
 # trade by a profile: the flight over the plateau is the reference, a Gaussian wall with its numbers is far from it.
 "$asperity" trade surface profile plateau --dp 5um --angles 10 --rays 30000 > long 2> err || die "trade --profile: $(cat err)"
 awk -F, '$1 == "traced" && $5 < 0.002 && $6 > 0 { good++ } $1 == "visible" && $5 > 0.03 { good++ } END { exit good != 2 }' long || die "trade --profile: $(cat long)"
-"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --ensemble 4 --tolerance 0.05 --plot trade.svg > rows 2> err || die "trade --sigma: $(cat err)"
-awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' rows || die "trade --sigma: $(cat rows)"
-# The model that --tolerance names is the cheapest of those below it.
-named=$(sed -n "s/^# the cheapest model below D_KL 0.05: '\([a-z]*\)', .*/\1/p" rows)
-grep -q "^asperity: the cheapest model below D_KL 0.05: '${named:-none}', " err && grep -q 'Pareto front' trade.svg || die "trade --tolerance: $(cat err)"
-awk -F, -v named="$named" '/^[a-z]*,20,/ && ($5 > 0 ? $5 : 0) + 2 * $6 < 0.05 && !(of && $3 > least) { least = $3; of = $1 } END { exit of != named }' rows || die "trade --tolerance: not '$named': $(cat rows)"
-"$asperity" trade surface sigma 10 --angles 20 --rays 1000 --ensemble 4 --tolerance 1e-8 2>&1 | grep -q "^# no model is below D_KL 1e-08; the closest: '" || die "trade --tolerance 1e-8"
+"$asperity" trade surface sigma 10 --angles 20 --rays 8000 --ensemble 4 --plot trade.svg > rows 2> err || die "trade --sigma: $(cat err)"
+awk -F, '$1 == "visible" && $5 < 0.01 { good++ } END { exit !good }' rows && grep -q 'Pareto front' trade.svg || die "trade --sigma: $(cat rows)"
 
 # calibrate finds the friction that cor had, on the same wall.
 for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map map"; do

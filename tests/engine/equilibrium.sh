@@ -61,7 +61,7 @@ one() { box "$1" zlo > one.in; engine 1 one.in; states one.in.screen | cut -d ' 
 
 if [ "${1:-}" = long ]; then
   shift
-  [ $# -gt 0 ] || set -- {normal,rejection,truncated,weibull,effective,multicollision,visible,profile,traced}" isotropic collisions multiple" \
+  [ $# -gt 0 ] || set -- {normal,rejection,truncated,weibull,effective,visible,profile,traced}" isotropic collisions multiple" \
     "visible isotropic collisions single" {weibull,visible}" plane collisions single" "visible plane collisions multiple"
   for model in "$@"; do
     echo "$(closed "$model") $(one "$model")" |

@@ -19,7 +19,7 @@ while IFS=';' read -r floor roof sides; do
 done << END
 $rough $grains seed 7;rebound constant 1 1;surface sigma 8deg spread weibull plane collisions single rebound walton 0.9 0.3 0.4 erosion dnv density 8000kg/m3
 $rough spread normal $grains deposit off erosion finnie 1GPa;$rough spread rejection collisions single rebound thornton_ning $grains;$rough spread effective rebound grant_tabakoff
-$rough spread truncated collisions single rebound constant 0.8 0.9;$rough spread multicollision rebound walton 0.9 0.3 0;$rough 80um lay 1 0 0 rebound constant 0.8 0.9 erosion oka 3GPa density 8000kg/m3 face tilted
+$rough spread truncated collisions single rebound constant 0.8 0.9;$rough spread rejection rebound walton 0.9 0.3 0;$rough 80um lay 1 0 0 rebound constant 0.8 0.9 erosion oka 3GPa density 8000kg/m3 face tilted
 surface profile $PWD/measured.csv dp_bins 2 rebound constant 0.9 0.8;$rough spread profile rebound constant 1 0.9;surface sigma 5deg rebound constant 0.9 0.9
 END
 

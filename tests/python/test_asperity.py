@@ -308,7 +308,7 @@ class Walls(unittest.TestCase):
                 ({"body": 3}, own, "part of body 3"),
                 ({"alpha1_deg": np.where(tag % 50, 30, 0)}, own, "rest at the wall.*at most 1 %"),
                 ({}, "surface smooth " + PAIR, "must be given by rq and lambda_c, or by sigma"),
-                ({}, "surface rq 4um lambda_c 40um spread multicollision plane " + PAIR, "has no weights")):
+                ({}, "surface rq 4um lambda_c 40um spread visible plane collisions single " + PAIR, "has no weights")):
             self.assertRegex(self.sensitivity({**table, **changed}, *words.split()), text)
         for to, text in (("surface rq 5.7um lambda_c 40um", "1.4[0-9]* times as steep.*at most 1.4 times"),
                          ("surface profile w.csv", "--to is 'surface profile w.csv'.*rq and lambda_c")):

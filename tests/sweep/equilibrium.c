@@ -79,8 +79,8 @@ static double grazing(const double *out, size_t n) {
 }
 
 static const char *const models[] = {"normal",  "rejection", "truncated",
-                                     "weibull", "effective", "multicollision",
-                                     "visible", "profile",   "traced"};
+                                     "weibull", "effective", "visible",
+                                     "profile", "traced"};
 static const struct {
   const char *words;
   bool plane;
@@ -142,7 +142,6 @@ int main(int argc, char **argv) {
   expect("profile isotropic collisions multiple", false, 20, 0, 0.008);
   expect("traced isotropic", false, 20, 0, 0.008);
   expect("traced isotropic", false, 35.264, 0, 0.008); /* phi_r 0.5 */
-  expect("multicollision isotropic", false, 20, 0, 0.012);
   expect("effective isotropic collisions multiple", false, 10, 0, 0.006);
   expect("traced plane collisions multiple", true, 20, 0, 0.006);
   expect("visible plane collisions multiple", true, 20, 0, 0.006);

@@ -506,10 +506,10 @@ static void pairs_have_defaults(void **state) {
 }
 
 /* All doubts in one text, a line each. */
-static void ask(char text[1500], const asp_check_input *question) {
+static void ask(char text[1500], const asp_check_input *input) {
   char one[480];
   *text = '\0';
-  for (int i = 0; asp_warning(question, i, one, sizeof one); i++)
+  for (int i = 0; asp_warning(input, i, one, sizeof one); i++)
     if (*one)
       add(text, "%s\n", one);
 }

@@ -460,9 +460,8 @@ static void properties(void **state) {
     setup s = setup_create(model->name, "bons", slope);
     const asp_rebound_law *law = asp_rebound_at(i / models % laws);
     aspi_wall_choose_law(&s.choice, law);
-    if (law->scatters)
+    if (law->scatters && strcmp(model->name, "none") == 0)
       set_parameter(&s.choice, "scatter", gsl_rng_uniform(rng));
-    s.choice.scatter_twice = true;
     s.choice.deposit = gsl_rng_uniform_int(rng, 2);
     s.choice.isotropic = gsl_rng_uniform_int(rng, 2);
     s.choice.multiple = gsl_rng_uniform_int(rng, 2);

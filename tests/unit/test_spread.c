@@ -284,7 +284,6 @@ static void models_agree_where_they_must(void **state) {
   static const char *const names[] = {"truncated", "rejection", "effective", "visible"};
   for (size_t i = 0; i < COUNT(names); i++)
     assert_near(distance(names[i], "normal", 1e-5, ASP_PI / 2), 0, 1e-5);
-  assert_near(distance("multicollision", "effective", 0.2, 0.1), 0, 0);
 }
 
 static double excess(double delta, void *of) {

@@ -47,7 +47,7 @@ asp_particle ContactPoint::particle(double lay[3]) {
   const Member &member = setup.shapes[touch.shape];
   asp_particle particle = {};
   particle.d_p = 2 * one.radius;
-  particle.density = mover.mass / (ASP_PI / 6 * particle.d_p * particle.d_p * particle.d_p);
+  particle.density = mover.mass / ASP_SPHERE_VOLUME(particle.d_p);
   particle.pair = setup.model.pair(one.type, member.wall_type);
   aspi_copy(spin, particle.omega);
   if (!mover.is_ball) {
