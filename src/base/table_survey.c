@@ -66,7 +66,7 @@ static void vote(tally *t, const tally *line) {
 static void look(tally *numbers, tally *others, const char *c, const char *end) {
   tally line = {.fields = {1, 1, 1, 0}};
   int indent = (int)strspn(c, "\t");
-  bool quoted = false, words = false, digits = false, blank = true;
+  bool quoted = false, words = false, digits = false, blank = true, joins = false;
   char last = ' ';
   run r = {0};
   for (; c < end; c++) {
@@ -95,7 +95,9 @@ static void look(tally *numbers, tally *others, const char *c, const char *end) 
       continue;
     }
     if (blank) {
-      line.fields[BLANK]++;
+      size_t sign = line.fields[BLANK] > 0 ? aspi_table_sign(c) : 0;
+      line.fields[BLANK] += sign == 0 && !joins;
+      joins = sign > 0 && c[sign] == ' ';
       line.gaps += isdigit((unsigned char)last) && (is_digit || *c == '-' || *c == '.');
     }
     blank = false;
