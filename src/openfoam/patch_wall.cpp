@@ -82,7 +82,7 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   row[L::IMPACT] = key.impact;
   row[L::TIME] = parcel.time;
   row[L::MESH] = parcel.patch + 1;
-  row[L::D_P] = d;
+  row[L::D_P] = sphere.d_p;
   row[L::OUTCOME] = hit.outcome == ASP_REBOUND ? 0 : deletes ? 2 : 1;
   row[L::STEP] = parcel.step;
   row[L::MASS] = hit.mass;
