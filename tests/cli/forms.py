@@ -204,6 +204,55 @@ for begins, words in ((b"\x88\x1b\x03\x6f", "of MetroPro; the free program Gwydd
                       (b"Fri Mar 10 16:35:59 2023", "Sensofar"), (b"VK4_", "Keyence"), (b"DSCOMPRESSED", "compressed")):
     refused("binary", "map", begins.ljust(512, b"\0"), words)
 
+# ---- tables of coefficients as papers print them: hard spheres of e 0.9, mu 0.2 ----
+angles = np.arange(10.0, 90, 10)
+tangents = 1 / np.tan(np.radians(angles))
+along = np.maximum(1 - 0.2 * 1.9 / tangents, 5 / 7)
+law = list(zip(angles, np.full(8, 0.9), along))
+
+
+def fitted(name, content, warns="", numbers="fit=0.7 fit=0.3 0", truth=(0.9, 0.2), near=2e-3):
+    """The table gives these numbers of the law, with that warning alone."""
+    global ran
+    ran += 1
+    with open(name, "wb") as file:
+        file.write(content if isinstance(content, bytes) else content.encode())
+    done = subprocess.run([asperity, "calibrate", name, "rebound", "walton", *numbers.split(), "--speed", "3", "--dp", "2mm"],
+                          capture_output=True, text=True, errors="replace")
+    got = [float(value) for value in re.findall(r"^(?:e|mu),([^,]+)", done.stdout, re.M)]
+    doubt = [text for text in done.stderr.splitlines() if "no two rows" not in text]
+    if len(got) != len(truth) or not np.allclose(got, truth, rtol=near) or (warns not in done.stderr if warns else doubt):
+        failed.append(f"{name}: {got}, expected {truth} '{warns}': {done.stderr[:300]}")
+
+
+def rows(form, data=law):
+    return "".join(form.format(a=a, n=n, t=t, r=np.radians(a)) for a, n, t in data)
+
+
+refuses_fit = lambda name, content, words: fitted(name, content, words, truth=())
+in_cells = "the second numbers in the cells of means are taken as standard deviations"
+fitted("law", "alpha1_deg,e_n,e_t\n" + rows("{a},{n:.4f},{t:.4f}\n"))
+fitted("sd_behind", "Table 3: glass\nImpact angle (deg);e_n;sd;e_t;sd;N\n" + rows("{a:.0f};{n:.4f};0.01;{t:.4f};0.01;80\n"))
+fitted("standard_error", "Impact angle (deg)\te_n\tSEM\te_t\tSEM\n" + rows("{a:.0f}\t{n:.4f}\t0.01\t{t:.4f}\t0.01\n"))
+german_names = "Auftreffwinkel (°);Mittelwert e_n;Standardabw. e_n;Mittelwert e_t;Standardabw. e_t;Anzahl\n"
+fitted("german_table", comma(german_names + rows("{a:.0f};{n:.4f};0.01;{t:.4f};0.01;80\n")).encode("latin-1"))
+for sign in ("±", "+/-", "+-"):
+    fitted("plus_minus", "alpha (deg);e_n;e_t;N\n" + rows(f"{{a:.0f}};{{n:.4f}} {sign} 0.01;{{t:.4f}} {sign} 0.01;80\n"), in_cells)
+fitted("plus_minus_commas", comma("alpha (deg);e_n;e_t;N\n" + rows("{a:.0f};{n:.4f}±0.01;{t:.4f}±0.01;80\n")), in_cells)
+fitted("plus_minus_blanks", "alpha (deg)  e_n  e_t  N\n" + rows("{a:.0f} {n:.4f} ± 0.01 {t:.4f} ± 0.01 80\n"), in_cells)
+fitted("brackets", "alpha (deg),e_n,e_t,N\n" + rows("{a:.0f},{n:.4f} (0.01),{t:.4f} (0.01),80\n"), in_cells)
+fitted("last_digits", "alpha (deg),e_n,e_t,N\n" + rows("{a:.0f},{n:.4f}(100),{t:.4f}(100),80\n"), in_cells)
+fitted("speed_and_e", "V_i (m/s),e\n" + "".join(f"{v},0.9\n" for v in (1, 2, 5, 10)), "along the normal", "fit=0.7 0.2 0", (0.9,))
+slip = [tangent * (1 - 3.5 * (1 - t)) for tangent, t in zip(tangents, along)]
+for head in ("Psi1,Psi2,e", "Ψ_1,Ψ_2,e_n"):
+    fitted("psi", head + "\n" + "".join(f"{a:.4f},{b:.4f},0.9\n" for a, b in zip(tangents, slip)))
+fitted("words_in_names", "Impact angle (deg)    normal    e_n      e_t\n".replace("normal    ", "") + rows("      {a:.0f}     {n:.4f}    {t:.4f}\n"))
+fitted("groups", "alpha (deg);e_n;e_t\nGlass;;\n" + rows("{a};{n:.4f};{t:.4f}\n", law[:4]) + "Steel balls;;\n" + rows("{a};{n:.4f};{t:.4f}\n", law[4:]))
+fitted("not_measured", "alpha (deg),e_n,e_t\n" + rows("{a},{n:.4f},{t:.4f}\n").replace("0.9000,0.7143", "n.a.,0.7143", 1))
+fitted("radians", "alpha1_rad,e_n,e_t\n" + rows("{r:.5f},{n:.4f},{t:.4f}\n"))
+refuses_fit("bare_radians", "alpha1,e_n,e_t\n" + rows("{r:.5f},{n:.4f},{t:.4f}\n"), "name the column alpha1_rad or alpha1_deg")
+refuses_fit("alike", "alpha1_deg,e_n,e_t\n" + rows("{a},0.9,0.8\n{a},0.9,0.8\n"), "do not scatter")
+
 print(f"{ran} forms, {len(failed)} wrong")
 print("\n".join(failed))
 sys.exit(bool(failed))
