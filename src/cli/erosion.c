@@ -25,7 +25,7 @@ typedef struct wear {
   size_t count, most; /* cells, and how many before they are merged */
   const char *path;
   const aspi_erosion *law; /* NULL: the ledger's own column */
-  double wall_density;     /* 0: the law has it */
+  double wall_density;     /* NAN: the ledger's heading or the law has it */
   double density;          /* of the particles; NAN: the ledger has their mass */
   bool has_mass;
 } wear;
@@ -82,6 +82,11 @@ static void read_ledger(wear *w) {
                                      : "; a ledger has it with 'columns full', or state 'erosion "
                                        "LAW' behind it");
   const char *header = ledger.table->header;
+  cli_ledger_densities(header, &w->density, &w->wall_density);
+  if (w->law && w->law->law->is_volume && !(w->law->density > 0) && isnan(w->wall_density))
+    cli_bad_usage("%s names no two materials; state the density of the wall in 'erosion LAW ... "
+                  "density RHO', or 'materials'",
+                  w->path);
   if (!w->law && *header == '#' && !strstr(header, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w->path);
@@ -123,17 +128,27 @@ static void take_law(wear *w, cli_description *d) {
   if (w->law->tilted)
     cli_bad_usage("face is 'tilted'; it must be mean: a ledger does not have every face that was "
                   "hit, but in its column 'eroded_mass'");
+  if (d->has_default_materials)
+    return;
   w->wall_density = asp_material_get(d->target, "density");
-  if (isnan(w->density) && !d->has_default_materials)
-    w->density = d->density;
+  w->density = isnan(w->density) ? d->density : w->density;
   cli_description_doubt(d, 0, 0);
+}
+
+/* The clause of a canonical text that begins with a word. */
+static const char *clause_of(char *text, const char *word) {
+  while (strncmp(text, word, strlen(word)) != 0)
+    text += asp_description_clause(text);
+  size_t length = asp_description_clause(text);
+  text[length - (length > 0 && text[length - 1] == ' ')] = '\0';
+  return text;
 }
 
 static void run(cli_call *call) {
   if (call->n_words < 1)
     cli_bad_usage("erosion: LEDGER is expected, a file; see 'asperity erosion --help'");
   const cli_option *density = cli_get(call, "density");
-  wear w = {.path = call->words[0], .density = NAN};
+  wear w = {.path = call->words[0], .density = NAN, .wall_density = NAN};
   bool has_law = call->n_words > 1;
   if (density->value && !has_law)
     cli_bad_usage("--density has no effect without 'erosion LAW'");
@@ -147,7 +162,7 @@ static void run(cli_call *call) {
   read_ledger(&w);
   if (density->value && w.has_mass)
     cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
-  FILE *out = cli_output_open(call, "output", d.text);
+  FILE *out = cli_output_open(call, "output", has_law ? clause_of(d.text, "erosion") : NULL);
   print_all(out, &w);
   cli_file_close(out);
 }
@@ -165,7 +180,8 @@ static const char detail[] =
     "and `ledger ... columns full` writes it. With `erosion LAW ...` it applies the law to\n"
     "impact angle, speed and diameter of the rows, on the mean wall: a ledger has only the\n"
     "first of the faces that `face tilted` needs. The particles' mass is the column mass,\n"
-    "or that of a sphere of --density. Ledgers are converted from their units to SI.\n";
+    "or that of a sphere of --density. Densities that are not stated are those of the two\n"
+    "materials in the ledger's heading. Ledgers are converted from their units to SI.\n";
 
 const cli_command cli_erosion = {
     .name = "erosion",
