@@ -109,8 +109,10 @@ std::string PatchWall::heading() const {
 }
 
 std::string PatchWall::notes(const Cloud &cloud) {
-  const asp_particle largest = {
-      cloud.d_most, cloud.density, asp_wall_pair(wall_.get()), {0, 0, 0}, NULL, 0, 0, NULL};
+  asp_particle largest = {};
+  largest.d_p = cloud.d_most;
+  largest.density = cloud.density;
+  largest.pair = asp_wall_pair(wall_.get());
   const asp_check_input input = {
       words_.get(),
       wall_.get(),
