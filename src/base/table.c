@@ -16,19 +16,6 @@ enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
 /* ---- lines ---- */
 
-asp_code aspi_table_no_memory(const aspi_table *t, asp_error *error) {
-  return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->text.path,
-                   t->text.line);
-}
-
-size_t aspi_table_sign(const char *text) {
-  static const char *const signs[] = {"(", "\xC2\xB1", "\xB1", "+-", "+/-"};
-  for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-    if (strncmp(text, signs[i], strlen(signs[i])) == 0)
-      return strlen(signs[i]);
-  return 0;
-}
-
 /* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;

@@ -24,8 +24,9 @@ typedef struct wear {
   cell *cells;
   size_t count, most; /* cells, and how many before they are merged */
   const char *path;
+  cli_scatter ledger;
   const aspi_erosion *law; /* NULL: the ledger's own column */
-  double wall_density;     /* NAN: the ledger's heading or the law has it */
+  double wall_density;     /* 0: the law has it */
   double density;          /* of the particles; NAN: the ledger has their mass */
   bool has_mass;
 } wear;
@@ -75,18 +76,13 @@ static void add_row(wear *w, const double fields[]) {
 /* Adds up the rows of the ledger. */
 static void read_ledger(wear *w) {
   static const int by_law[] = {MESH, TRIANGLE, ALPHA1, V1, D_P}, own[] = {MESH, TRIANGLE, ERODED};
-  cli_scatter ledger = cli_scatter_open(w->path, PLACE);
+  cli_scatter ledger = w->ledger;
   for (int i = 0; i < (w->law ? 5 : 3); i++)
     cli_scatter_need(&ledger, w->law ? by_law[i] : own[i],
                      w->law || i < 2 ? ""
                                      : "; a ledger has it with 'columns full', or state 'erosion "
                                        "LAW' behind it");
   const char *header = ledger.table->header;
-  cli_ledger_densities(header, &w->density, &w->wall_density);
-  if (w->law && w->law->law->is_volume && !(w->law->density > 0) && isnan(w->wall_density))
-    cli_bad_usage("%s names no two materials; state the density of the wall in 'erosion LAW ... "
-                  "density RHO', or 'materials'",
-                  w->path);
   if (!w->law && *header == '#' && !strstr(header, " erosion "))
     cli_bad_usage("%s: its wall has no 'erosion', so its eroded mass is 0; state the law behind it",
                   w->path);
@@ -128,10 +124,9 @@ static void take_law(wear *w, cli_description *d) {
   if (w->law->tilted)
     cli_bad_usage("face is 'tilted'; it must be mean: a ledger does not have every face that was "
                   "hit, but in its column 'eroded_mass'");
-  if (d->has_default_materials)
-    return;
   w->wall_density = asp_material_get(d->target, "density");
-  w->density = isnan(w->density) ? d->density : w->density;
+  if (isnan(w->density) && !d->has_default_materials)
+    w->density = d->density;
   cli_description_doubt(d, 0, 0);
 }
 
@@ -148,15 +143,18 @@ static void run(cli_call *call) {
   if (call->n_words < 1)
     cli_bad_usage("erosion: LEDGER is expected, a file; see 'asperity erosion --help'");
   const cli_option *density = cli_get(call, "density");
-  wear w = {.path = call->words[0], .density = NAN, .wall_density = NAN};
+  wear w = {.path = call->words[0], .density = NAN};
   bool has_law = call->n_words > 1;
   if (density->value && !has_law)
     cli_bad_usage("--density has no effect without 'erosion LAW'");
   if (density->value)
     w.density = cli_quantity(density, "density", 1e-9, 1e9);
   cli_description d = {.wall = NULL};
+  w.ledger = cli_scatter_open(w.path, PLACE);
   if (has_law) {
-    d = cli_description_read(call->n_words - 1, call->words + 1, false);
+    char **words = call->words + 1;
+    int count = cli_ledger_words(w.ledger.table->header, call->n_words - 1, &words);
+    d = cli_description_read(count, words, false);
     take_law(&w, &d);
   }
   read_ledger(&w);
