@@ -3,16 +3,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/table.h"
-#include "base/error.h"
 
 #include <ctype.h>
 #include <string.h>
 #include <strings.h>
-
-asp_code aspi_table_no_memory(const aspi_table *t, asp_error *error) {
-  return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->text.path,
-                   t->text.line);
-}
 
 size_t aspi_table_sign(const char *text) {
   static const char *const signs[] = {"(", "\xC2\xB1", "\xB1", "+-", "+/-"};
