@@ -58,7 +58,8 @@ for block in viscous variable; do
     "$here/../../examples/pipe_flow/README.md" > air
   [ "$(wc -l < air)" -ge 2 ] || die "no lines of air: $block"
   { head_of si
-    echo "region box block -0.05 0.05 -0.012 0.012 -0.012 0.012 units box
+    echo "atom_modify sort 0 0
+region box block -0.05 0.05 -0.012 0.012 -0.012 0.012 units box
 create_box 1 box
 neighbor 4e-4 bin
 create_atoms 1 single 0 0 0 units box
