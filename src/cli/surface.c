@@ -112,8 +112,7 @@ static cli_measured read_file(const cli_call *call, const char *file, bool is_ma
   const aspi_profile_options how = read_options(call);
   cli_measured m = {.name = file};
   m.heights = cli_made(aspi_read(NULL, file, is_map, &how, &m.report, &cli_error));
-  if (asp_heights_describe(m.heights, &m.numbers, &cli_error) ||
-      aspi_heights_check(m.heights, &m.numbers, &cli_error))
+  if (aspi_heights_judge(m.heights, sizes->least, &m.numbers, &cli_error))
     cli_bad_usage("%s: %s", file, cli_error.text);
   aspi_extent extent = aspi_heights_extent(m.heights);
   if (sizes->least < extent.spacing)
