@@ -175,20 +175,9 @@ std::string Model::describe_surface() const {
   return line;
 }
 
-/* What sticks by its viscosity, where all particles have one temperature. */
-std::string Model::describe_heat() const {
-  double share;
-  if (!is_given("viscosity") || asp_wall_sticking(wall(), 0, &share, NULL))
-    return "";
-  return text("\n  at %g K an impact sticks with the probability %.3g by its viscosity, besides "
-              "what the law holds",
-              temperature_, share);
-}
-
 std::string Model::take_report() {
   if (!is_new_ || !wall_)
     return "";
   is_new_ = false;
-  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture() +
-         describe_heat();
+  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture();
 }
