@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The wall as a plugin of another LAMMPS gives the ledger of lammps-asperity, after `clear` too, and, where these are there,
 # from Python and with the package KOKKOS on threads; in a LAMMPS of another version the plugin ends with a message. Skipped
-# where there is no LAMMPS with the package PLUGIN. ASPERITY_LMP names its program; PYTHONPATH and LD_LIBRARY_PATH find its
-# Python module and library. Usage: plugin.sh PLUGIN
+# where there is no LAMMPS with the package PLUGIN. ASPERITY_LMP names its program, and PYTHONPATH has its Python module and,
+# in the folder of that, its library. Usage: plugin.sh PLUGIN
 # SPDX-License-Identifier: GPL-3.0-or-later
 plugin=$1
 source "$(dirname "$0")/engine.sh"
@@ -25,7 +25,9 @@ run 300"
 }
 script here.csv > here.in
 engine 1 here.in
-{ echo "plugin load $plugin"; script first.csv; echo clear; script second.csv; } > there.in
+# In LAMMPS of 2024 `clear` unloads plugins.
+{ echo "plugin load $plugin"; script first.csv; echo "clear
+plugin load $plugin"; script second.csv; } > there.in
 if ! timeout 120 mpirun -np 2 "$lmp" -in there.in -log none > there.screen 2>&1; then
   if grep -q "^ERROR: wallreboundplugin.so: the version of LAMMPS is .*, but it was built for " there.screen; then
     echo "another version of LAMMPS, refused as it must be"; exit 77
@@ -63,7 +65,7 @@ for ranks in 1 2; do
   same here.csv kokkos.csv "launcher and KOKKOS on $ranks ranks"
 done
 refused() { # LINES in place of the wall's, then a part of the message
-  { echo "plugin load $plugin"; script refused.csv | sed "s|^fix wall.*|$1|"; } > refused.in
+  { echo "plugin load $plugin"; script refused.csv | sed "s|^fix wall.*|$1|; s|^boundary.*|boundary p p f|"; } > refused.in
   ! kokkos 1 refused.in || die "'$1' was taken"
   grep -q "^ERROR.*$2" refused.in.screen || { tail -n 5 refused.in.screen; die "no '$2' on '$1'"; }
 }
