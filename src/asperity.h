@@ -223,7 +223,8 @@ asp_wall *asp_wall_create(const asp_description *description, double d_least, do
 bool asp_description_needs_sizes(const asp_description *description);
 
 /* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay: with `isotropic` of
- * the sphere, with `plane` of the disc (both: asp_surface_slope); 0 on a smooth wall. */
+ * the sphere, with `plane` of the disc, by the formulas of src/wall/models.md; 0 on a smooth
+ * wall. */
 double asp_wall_slope(const asp_wall *wall, double d_p);
 
 /* ---- heights of a measured wall -------------------------------------------------------------- */
