@@ -134,8 +134,8 @@ typedef struct asp_impact {
  * body, v1 and v2 are the velocity of its center of mass, and every law changes its spin; u = v1 +
  * omega x lever must approach (u.n < 0). Afterwards u leaves the wall, but v2 may not. A wall with
  * `grain lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG if
- * the law needs a pair and neither particle nor wall has one; velocity and spin are then unchanged.
- */
+ * the law needs a pair and neither particle nor wall has one, ASP_ERANGE if `viscosity` or
+ * `soften_modulus` does not hold at the temperature; velocity and spin are then unchanged. */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact);
 

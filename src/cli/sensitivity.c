@@ -111,7 +111,8 @@ static void weigh(study *s, size_t line, const double fields[], aspi_drawn *d) {
                            .density = s->has_mass ? fields[MASS] / ASP_SPHERE_VOLUME(fields[D_P])
                                                   : s->own.density,
                            .pair = s->own.pair,
-                           .lay = cli_description_lay(&s->own, lay)};
+                           .lay = cli_description_lay(&s->own, lay),
+                           .temperature = fields[KELVIN] > 0 ? fields[KELVIN] : 0};
   memcpy(particle.omega, fields + SPIN, sizeof particle.omega);
   asp_key key = {s->key.seed, s->key.wall, (uint64_t)fields[TAG], (uint32_t)fields[IMPACT]};
   cli_must(!asp_wall_weights(s->own.wall, 1, &particle, fields + BEFORE, fields + NORMAL, &key,
@@ -256,6 +257,7 @@ static void run(cli_call *call) {
                   "sensitivity --help'");
   study s = {.path = call->words[0]};
   s.own = cli_description_read(call->n_words - 1, call->words + 1, false);
+  s.own.has_own_heat = !asp_description_is_given(s.own.words, "temperature"); /* the ledger's */
   make_walls(&s, cli_value(call, "to"));
   read_ledger(&s, cli_value(call, "name"));
   FILE *out = cli_output_open(call, "output", s.own.text);

@@ -41,8 +41,8 @@ void Model::report_yield() {
   if (is_given("temperature"))
     materials_report_ += text(
         "\n  at the particles' temperature of %g K the yield stress is %.4g of that when cold; "
-        "modulus and surface energy are the cold ones",
-        number("temperature"), softening);
+        "the surface energy is the cold one%s",
+        temperature_, softening, is_given("soften_modulus") ? "" : ", and the modulus, too");
   const double rate = number("yield_rate");
   if (!(rate >= 0) || rate > 0) /* a law of its own, or no constant */
     return;
@@ -166,9 +166,20 @@ std::string Model::describe_surface() const {
   return line;
 }
 
+/* What sticks by its viscosity, where all particles have one temperature. */
+std::string Model::describe_heat() const {
+  double share;
+  if (!is_given("viscosity") || asp_wall_sticking(wall(), 0, &share, NULL))
+    return "";
+  return text("\n  at %g K an impact sticks with the probability %.3g by its viscosity, besides "
+              "what the law holds",
+              temperature_, share);
+}
+
 std::string Model::take_report() {
   if (!is_new_ || !wall_)
     return "";
   is_new_ = false;
-  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture();
+  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture() +
+         describe_heat();
 }

@@ -255,7 +255,7 @@ void FixWallRebound::init() {
     int &stages = modify->fmask[modify->find_fix(id)];
     stages = p_->owes_bodies ? stages | INITIAL_INTEGRATE : stages & ~INITIAL_INTEGRATE;
     if (p_->of_bodies.any())
-      p_->wall.setup.model.check_bodies();
+      p_->wall.setup.check_bodies();
     p_->wall.init(update->ntimestep, update->dt);
   });
 }

@@ -65,6 +65,7 @@ private:
   std::unique_ptr<asp_description, void (*)(asp_description *)> words_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   uint32_t key_, seed_;
+  double temperature_; /* of parcels that have none; 0: unknown */
   asp_lay lay_;
   std::set<std::string> said_; /* doubts */
 };

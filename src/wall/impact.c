@@ -15,6 +15,7 @@
 #include "wall/roughness.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Smith's Lambda is under 1e-13 for nu above NU_FREE, and overflows for nu below NU_LEAST. */
 #define NU_FREE 5.2
@@ -425,6 +426,10 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
                              const double n[3], double press, const asp_key *key,
                              asp_impact *impact) {
   asp_pair pair;
+  asp_wall held;
+  wall = aspi_wall_met(wall, particle, key, &held);
+  if (!wall)
+    return false;
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);
   particle = &own;
   frame f = frame_of(touching(particle, load(v1)), load(n));

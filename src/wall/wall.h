@@ -6,6 +6,7 @@
 
 #include "asperity_internal.h"
 #include "erosion/laws.h"
+#include "rebound/heat.h"
 #include "rebound/laws.h"
 #include "rebound/removal.h"
 #include "spread/models.h"
@@ -26,6 +27,7 @@ typedef struct aspi_wall_choice {
   aspi_erosion erosion;
   double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
   double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */
+  aspi_heat heat;
 } aspi_wall_choice;
 
 /* A measured wall: doubts about its file, and its points. */
@@ -54,7 +56,8 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever, scatter;
-  bool varies; /* each grain has its own yield stress or adhesion */
+  aspi_heat *heat; /* a copy */
+  bool varies;     /* each grain has its own yield stress or adhesion, or its heat counts */
   aspi_wall_heights heights;
 };
 
