@@ -132,7 +132,6 @@ private:
   double density(int type, const Engine::Kind &kind) const;
   std::string describe_capture() const;
   std::string describe_surface() const;
-  std::string describe_heat() const;
 
   const Engine &engine_;
   std::string units_name_;

@@ -101,20 +101,27 @@ double Model::density(int type, const Engine::Kind &kind) const {
   return fabs(kind.least - own) > fabs(kind.most - own) ? kind.least : kind.most;
 }
 
-/* The normal speeds below which the smallest and the largest particles stick. */
+/* The normal speeds below which the smallest and the largest particles stick; of the laws with
+ * adhesion, whose speeds are far apart, that of the other one, too. */
 std::string Model::describe_capture() const {
   std::string lines;
+  const bool is_bons = word("rebound") == "bons";
+  const std::string other_law = is_bons ? "thornton_ning" : "bons";
+  const std::unique_ptr<asp_description, void (*)(asp_description *)> other(
+      asp_description_parse(("rebound " + other_law).c_str(), &units_, NULL), asp_description_free);
   const double d_p[2] = {least_, most_};
   for (size_t t = 0; t < kinds_.size() && !pairs_.empty(); t++)
     for (int w : wall_types_) {
       const int type = static_cast<int>(t) + 1;
-      double speed[2] = {0, 0};
+      double speed[2] = {0, 0}, by_other = 0;
       for (int k = 0; kinds_[t].present && k < 2; k++) {
         asp_particle particle = asp_particle();
         particle.d_p = d_p[k];
         particle.density = density(type, kinds_[t]);
         particle.pair = pair(type, w);
         speed[k] = asp_description_capture_speed(description_.get(), &particle);
+        if (other && (is_bons || word("rebound") == "thornton_ning"))
+          by_other = asp_description_capture_speed(other.get(), &particle);
       }
       if (!(speed[0] > 0))
         continue;
@@ -122,6 +129,8 @@ std::string Model::describe_capture() const {
                below(speed[0]);
       if (d_p[1] > d_p[0])
         lines += text(", d_p %.4g ", d_p[1]) + below(speed[1]);
+      if (by_other > 0)
+        lines += " (by " + other_law + " " + below(by_other) + ")";
     }
   return lines;
 }
@@ -166,20 +175,9 @@ std::string Model::describe_surface() const {
   return line;
 }
 
-/* What sticks by its viscosity, where all particles have one temperature. */
-std::string Model::describe_heat() const {
-  double share;
-  if (!is_given("viscosity") || asp_wall_sticking(wall(), 0, &share, NULL))
-    return "";
-  return text("\n  at %g K an impact sticks with the probability %.3g by its viscosity, besides "
-              "what the law holds",
-              temperature_, share);
-}
-
 std::string Model::take_report() {
   if (!is_new_ || !wall_)
     return "";
   is_new_ = false;
-  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture() +
-         describe_heat();
+  return description() + "\n  " + describe_surface() + materials_report_ + describe_capture();
 }
