@@ -4,7 +4,7 @@
 # Python run (where there are pandas and numpy).
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "$0")/cli.sh"
-pages=$(cd "$root" && { git ls-files '*.md' 2> /dev/null || find . -name '*.md' -not -path './build*' -printf '%P\n'; })
+pages=$(cd "$root" && { { [ -e .git ] && git ls-files '*.md' 2> /dev/null; } || find . -name '*.md' -not -path './build*' -printf '%P\n'; })
 [ "$(wc -w <<< "$pages")" -ge 15 ] || die "pages: $pages"
 
 [ "$(wc -w < "$root/README.md")" -le 700 ] || die "README.md has $(wc -w < "$root/README.md") words"

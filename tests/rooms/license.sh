@@ -16,7 +16,7 @@ stated() { # whether dep5 names the file
   return 1
 }
 # The tree of an archive has no git, and what runs have written besides (.gitignore).
-files() { git ls-files 2> /dev/null || find . \( -path './build*' -o -name output -o -name __pycache__ \) -prune -o \
+files() { { [ -e .git ] && git ls-files 2> /dev/null; } || find . \( -path './build*' -o -name output -o -name __pycache__ \) -prune -o \
   -type f -not -name '*.log' -not -name log.liggghts -printf '%P\n'; }
 mapfile -t looked < <(files | while read -r file; do stated "$file" || echo "$file"; done)
 [ ${#looked[@]} -gt 100 ] || { echo "FAILED: only ${#looked[@]} files were looked at"; exit 1; }
