@@ -51,9 +51,8 @@ typedef struct aspi_calibration {
   aspi_unknown unknown[FIT_UNKNOWNS_MOST];
   size_t n_unknown;
   asp_description *words;
-  asp_wall *wall;    /* made of `words`, at the values that were tried last */
-  asp_pair *pair;    /* NULL: the law needs none */
-  const double *lay; /* NULL: none */
+  asp_wall *wall; /* made of `words`, at the values that were tried last */
+  asp_pair *pair; /* NULL: the law needs none */
   double density, d_p, speed;
   /* Measurement noise: sd of impact and rebound angle (degrees), relative sd of the speeds. */
   double noise[COR_BOTH], noise_speed;

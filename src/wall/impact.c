@@ -421,15 +421,20 @@ static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi
  * heights): if the press is a share b < 1 of what holds it there. It comes down on the parabola
  * with p sqrt(12) (1 - b)^(3/2) against the wall, to the first order of 1 - b, which is p at b =
  * 0.56; faster ones meet p. */
-bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                             const double n[3], double press, const asp_key *key,
-                             asp_impact *impact) {
+asp_code asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
+                                 const double v1[3], const double n[3], double press,
+                                 const asp_key *key, asp_impact *impact) {
   asp_pair pair;
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);
   particle = &own;
+  *impact = (asp_impact){.hits = 0};
+  store(load(v1), impact->v2);
+  store(load(particle->omega), impact->omega);
+  if (!particle->pair && wall->law->needs_pair)
+    return ASP_EARG;
   frame f = frame_of(touching(particle, load(v1)), load(n));
-  if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))
-    return false;
+  if (!wall->rough || !has_direction(&f))
+    return ASP_OK;
   vec along = plus(load(v1), f.v_n, f.n);
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
@@ -442,7 +447,7 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   else {
     double loose = 1 - press * lambda_c / (f.v_t * f.v_t * p * sqrt(6));
     if (!(loose > 0))
-      return false;
+      return ASP_OK;
     p *= fmin(1, sqrt(12) * pow(loose, 1.5));
   }
   face on = face_at(wall, &slopes, atan(p), NULL, &stream);
@@ -451,7 +456,7 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   if (!aspi_hit_rebound(wall, particle, &f, on.m, !wall->isotropic, &stream, &spin, &local,
                         &deposit) ||
       !(deposit || local.z > 0))
-    return false;
+    return ASP_OK;
   *impact = (asp_impact){.delta_alpha = on.delta,
                          .tilt_out = tilt_out(wall, &on),
                          .hits = 1,
@@ -460,5 +465,5 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   store(deposit ? local : leaving(&f, to_lab(&f, local)), impact->v2);
   store(spin, impact->omega);
   to_center(particle, impact);
-  return true;
+  return ASP_OK;
 }

@@ -46,7 +46,7 @@ static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error
   const aspi_height_field of = {choice->surface, choice->heights, choice->isotropic};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
-  asp_error wrong = {ASP_OK, ""};
+  asp_error wrong = {.code = ASP_OK};
   *data = choice->spread->prepare(&of, &sizes, &wrong);
   return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
@@ -103,6 +103,9 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
   wall->follow = wall->data ? spread->follow : NULL;
   wall->has_cross_slope = wall->data && choice->heights && choice->heights->rows > 1;
   wall->isotropic = choice->isotropic || wall->has_cross_slope;
+  wall->has_lay = choice->has_lay;
+  memcpy(wall->lay, choice->lay, sizeof wall->lay);
+  wall->seed = choice->seed;
   wall->multiple = choice->multiple || spread->follow;
   aspi_wall_take_law(wall, choice);
   return code;
@@ -122,6 +125,10 @@ void aspi_wall_replace(asp_wall *wall, asp_wall *by) {
   release(wall);
   *wall = *by;
   free(by);
+}
+
+uint32_t asp_wall_seed(const asp_wall *wall) {
+  return wall->seed;
 }
 
 const asp_surface *asp_wall_surface(const asp_wall *wall) {

@@ -26,6 +26,9 @@ typedef struct aspi_wall_choice {
   aspi_erosion erosion;
   double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
   double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */
+  bool has_lay;
+  double lay[3]; /* its direction */
+  uint32_t seed;
 } aspi_wall_choice;
 
 /* A measured wall: doubts about its file, and its points. */
@@ -55,6 +58,9 @@ struct asp_wall {
   aspi_erosion erosion;
   double lever, scatter;
   bool varies; /* each grain has its own yield stress or adhesion */
+  bool has_lay;
+  double lay[3];
+  uint32_t seed;
   aspi_wall_heights heights;
 };
 

@@ -40,7 +40,7 @@ static void contacts(const asp_wall *wall, int count) {
     const double v[3] = {100 * cos(angle(i)), 0, -100 * sin(angle(i))};
     asp_impact impact;
     count_on();
-    asp_wall_impact(wall, &grain, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+    asp_wall_impact(wall, &grain, v, n, &(asp_key){1, 1, (uint64_t)i, 1, 0}, &impact);
     count_off();
   }
 }
@@ -91,7 +91,7 @@ static void count_draws(const asp_spread_model *model, const aspi_height_field *
     view.alpha1 = angle(i);
     double delta;
     count_on();
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, (uint64_t)i, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, (uint64_t)i, 1, 0});
     aspi_spread_draw(model, &view, &stream, &delta);
     count_off();
   }

@@ -8,11 +8,11 @@
 
 #include <stdlib.h>
 
-static const asp_units si = {"SI", 1, 1, 1}, micro = {"'units micro'", 1e6, 1e15, 1e6},
-                       lj = {"'units lj'; units must be si", 0, 0, 0};
+static const asp_units si = {"SI", 1, 1, 1, {0}}, micro = {"'units micro'", 1e6, 1e15, 1e6, {0}},
+                       lj = {"'units lj'; units must be si", 0, 0, 0, {0}};
 
 static asp_description *parse(const char *text, const asp_units *units) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_description *d = asp_description_parse(text, units, &error);
   if (!d)
     print_error("%s\n%s\n", text, error.text);
@@ -270,7 +270,7 @@ static void texts_go_round(void **state) {
 /* ---- what is refused ---- */
 
 static void refuses(const char *text, const char *first, const char *second) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_description *wall = asp_description_parse(text, &si, &error);
   if (wall || !strstr(error.text, first) || !strstr(error.text, second))
     print_error("%s: %s\n", text, wall ? "accepted" : error.text);
@@ -525,7 +525,7 @@ static void doubts(char text[1500], const char *description, double d_p, double 
   asp_material_set(p, "yield_stress", 200e6, NULL);
   asp_pair *pair = asp_description_pair(wall, p, w, NULL);
   asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
-  ask(text, &(asp_check_input){wall, NULL, 0, &particle, {p, w}});
+  ask(text, &(asp_check_input){wall, NULL, 0, &particle, {p, w}, {0}});
   asp_pair_free(pair);
   asp_material_free(p);
   asp_material_free(w);
@@ -619,7 +619,7 @@ static void odd_numbers_are_doubted(void **state) {
   for (size_t i = 0; i < 2 * sizeof all / sizeof *all; i++) {
     const asp_particle particle = {.d_p = i % 2 ? 10e-6 : 0};
     asp_description *d = parse(all[i / 2][0], &si);
-    ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}});
+    ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}, {0}});
     if (!strstr(text, all[i / 2][1 + i % 2]) || strchr(text, '\n') != strrchr(text, '\n'))
       fail_msg("%s: %s", all[i / 2][0], text);
     asp_description_free(d);
@@ -627,7 +627,7 @@ static void odd_numbers_are_doubted(void **state) {
   const asp_particle particle = {.d_p = 10e-6};
   asp_description *d =
       parse("surface rq 5um lambda_c 40um friction 0.5 erosion oka 1.8GPa density 7800", &si);
-  ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}, {0}});
   assert_string_equal(text, "");
   asp_description_free(d);
 }
@@ -655,7 +655,7 @@ static asp_description *parse_fit(const char *text, asp_error *error) {
 
 static void check_fit(const char *text, const char *canonical) {
   char is[1000];
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_description *wall = parse_fit(text, &error);
   if (!wall)
     print_error("%s: %s\n", text, error.text);
@@ -690,7 +690,7 @@ static void numbers_may_be_unknown(void **state) {
              {"seed fit", "seed is 'fit'", "number"},
              {"rebound walton fit fit 0 friction fit", "'friction' has no effect", "walton"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    asp_error error = {ASP_OK, ""};
+    asp_error error = {.code = ASP_OK};
     assert_null(parse_fit(bad[i].text, &error));
     if (!strstr(error.text, bad[i].first) || !strstr(error.text, bad[i].second))
       print_error("%s: %s\n", bad[i].text, error.text);
@@ -742,11 +742,11 @@ static void coarse_files_are_doubted(void **state) {
   asp_wall *wall = asp_wall_create(d, 5e-6, 20e-6, NULL);
   const asp_particle largest = {.d_p = 20e-6};
   char text[1500];
-  ask(text, &(asp_check_input){d, wall, 20e-6, &largest, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, wall, 20e-6, &largest, {NULL, NULL}, {0}});
   assert_string_equal(text, "");
-  ask(text, &(asp_check_input){d, wall, 5e-6, &largest, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, wall, 5e-6, &largest, {NULL, NULL}, {0}});
   assert_ptr_equal(strstr(text, "surface profile fine.csv: "), text);
-  ask(text, &(asp_check_input){d, NULL, 5e-6, &largest, {NULL, NULL}}); /* it is the wall's */
+  ask(text, &(asp_check_input){d, NULL, 5e-6, &largest, {NULL, NULL}, {0}}); /* it is the wall's */
   assert_string_equal(text, "");
   asp_wall_free(wall);
   asp_description_free(d);
