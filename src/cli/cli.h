@@ -35,8 +35,8 @@ typedef struct cli_command {
   void (*run)(cli_call *call);
 } cli_command;
 
-extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_erosion, cli_materials,
-    cli_sensitivity, cli_spread, cli_surface, cli_trade;
+extern const cli_command cli_calibrate, cli_compare, cli_cor, cli_erosion, cli_map_command,
+    cli_materials, cli_sensitivity, cli_spread, cli_surface, cli_trade;
 
 /* A command as it is called, once in a process: what it reads and makes stays until the end. */
 enum { CLI_OPTIONS_MOST = 24 };

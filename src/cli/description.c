@@ -80,6 +80,25 @@ cli_description cli_description_read(int count, char **words, bool fittable) {
   return d;
 }
 
+void cli_ledger_densities(const char *heading, double *particle, double *wall) {
+  const char *at = strstr(heading, " materials ");
+  const char *end = at ? strchr(at, '\n') : NULL;
+  if (!end || *heading != '#')
+    return;
+  char *text = cli_allocate((size_t)(end - at) + 1, 1);
+  memcpy(text, at + 1, (size_t)(end - at) - 1);
+  text[asp_description_clause(text)] = '\0';
+  asp_description *words = asp_description_parse(text, NULL, NULL);
+  if (words && asp_description_materials(words) == 2) {
+    const asp_material *of[] = {asp_description_material(words, 0),
+                                asp_description_material(words, 1)};
+    *particle = isnan(*particle) ? asp_material_get(of[0], "density") : *particle;
+    *wall = isnan(*wall) ? asp_material_get(of[1], "density") : *wall;
+  }
+  asp_description_free(words);
+  free(text);
+}
+
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {
   d->has_no_impact = !aspi_words_in_list("rebound", allowed);
   for (const aspi_keyword *k = aspi_keywords; k->name; k++) {

@@ -30,6 +30,10 @@ typedef struct cli_description {
  */
 cli_description cli_description_read(int count, char **words, bool fittable);
 
+/* The densities of the particles and of the wall, where they are NAN, from the heading of a ledger
+ * that has two materials: those. */
+void cli_ledger_densities(const char *heading, double *particle, double *wall);
+
 /* The canonical text. */
 char *cli_description_text(const asp_description *words);
 

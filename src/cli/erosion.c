@@ -75,7 +75,7 @@ static void add_row(wear *w, const double fields[]) {
 /* Adds up the rows of the ledger. */
 static void read_ledger(wear *w) {
   static const int by_law[] = {MESH, TRIANGLE, ALPHA1, V1, D_P}, own[] = {MESH, TRIANGLE, ERODED};
-  cli_scatter ledger = cli_scatter_open(w->path, SCATTER_COLUMNS);
+  cli_scatter ledger = cli_scatter_open(w->path, PLACE);
   for (int i = 0; i < (w->law ? 5 : 3); i++)
     cli_scatter_need(&ledger, w->law ? by_law[i] : own[i],
                      w->law || i < 2 ? ""

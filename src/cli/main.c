@@ -8,8 +8,9 @@
 #include <string.h>
 
 static const cli_command *const commands[] = {
-    &cli_surface, &cli_spread,      &cli_cor,   &cli_compare,   &cli_calibrate,
-    &cli_erosion, &cli_sensitivity, &cli_trade, &cli_materials, NULL};
+    &cli_surface,   &cli_spread,      &cli_cor,     &cli_compare,
+    &cli_calibrate, &cli_map_command, &cli_erosion, &cli_sensitivity,
+    &cli_trade,     &cli_materials,   NULL};
 
 enum { COMMANDS = sizeof commands / sizeof *commands - 1 };
 

@@ -44,7 +44,8 @@ enum {
   BEFORE = NORMAL + 3,
   AFTER = BEFORE + 3,
   SPIN = AFTER + 3,
-  SCATTER_COLUMNS = SPIN + 3
+  PLACE = SPIN + 3,
+  SCATTER_COLUMNS = PLACE + 3
 };
 
 /* A table that is read row by row. For each column: its place in the file (-1: missing) and its

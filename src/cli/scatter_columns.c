@@ -96,6 +96,9 @@ static const struct {
     [SPIN + 0] = {"omega1x", RATE, -LARGE, LARGE},
     [SPIN + 1] = {"omega1y", RATE, -LARGE, LARGE},
     [SPIN + 2] = {"omega1z", RATE, -LARGE, LARGE},
+    [PLACE + 0] = {"x", LENGTH, -LARGE, LARGE},
+    [PLACE + 1] = {"y", LENGTH, -LARGE, LARGE},
+    [PLACE + 2] = {"z", LENGTH, -LARGE, LARGE},
 };
 
 /* ---- names and units ---- */

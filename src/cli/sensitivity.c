@@ -162,13 +162,13 @@ static void add_row(study *s, size_t line, const double fields[]) {
 static void read_ledger(study *s, const char *name) {
   static const int needed[] = {ALPHA1, V1, D_P, OUTCOME, MESH, TRIANGLE};
   double fields[SCATTER_COLUMNS];
-  cli_scatter ledger = cli_scatter_open(s->path, SCATTER_COLUMNS);
+  cli_scatter ledger = cli_scatter_open(s->path, PLACE);
   take_heading(s, name, ledger.table->header);
   ledger.column_of[POINT] = ledger.column_of[POINT + COR_T] =
       -1; /* unbounded at grazing incidence: computed from v */
   for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
     cli_scatter_need(&ledger, needed[i], "");
-  for (int c = MASS; c < SCATTER_COLUMNS; c++)
+  for (int c = MASS; c < PLACE; c++)
     cli_scatter_need(&ledger, c, "; a ledger has it with 'columns full'");
   while (cli_scatter_row(&ledger, fields))
     add_row(s, ledger.table->text.line, fields);

@@ -10,6 +10,7 @@
 
 #include "asperity.h"
 #include "base/units.h"
+#include "contact/stl.h"
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/text.h"
@@ -154,20 +155,28 @@ DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, const Placing &p
 
 /* On rank 0. */
 ContactTree *DrivenMesh::read_tree() const {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(aspi_tree_begin(), aspi_tree_free);
-  bool good = tree != NULL;
-  int pieces = 0;
-  read_stl(path_, [&](const ContactTriangle &read) {
-    ContactTriangle triangle = read;
+  struct Builder {
+    const Placing &placing;
+    std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree;
+    int pieces;
+  } builder = {placing_, {aspi_tree_begin(), aspi_tree_free}, 0};
+  const auto take = [](void *to, const ContactTriangle *read) {
+    Builder &b = *static_cast<Builder *>(to);
+    ContactTriangle triangle = *read;
     for (double *node : triangle.node) {
-      aspi_scale(placing_.scale, node);
-      placing_.frame.to_world(node, node);
+      aspi_scale(b.placing.scale, node);
+      b.placing.frame.to_world(node, node);
     }
-    good = good && aspi_tree_add(tree.get(), &triangle, pieces++);
-  });
-  if (!good || !aspi_tree_finish(tree.get()))
+    return aspi_tree_add(b.tree.get(), &triangle, b.pieces++);
+  };
+  asp_error error;
+  if (!builder.tree)
     throw std::bad_alloc();
-  return tree.release();
+  if (aspi_stl_read(path_.c_str(), take, &builder, &error))
+    throw Error(error.text);
+  if (!aspi_tree_finish(builder.tree.get()))
+    throw std::bad_alloc();
+  return builder.tree.release();
 }
 
 std::string DrivenMesh::describe() const {

@@ -91,11 +91,6 @@ private:
   bool has_begun_;
 };
 
-/* Calls `take` for each triangle of the file, in its order; those of several solids one after the
- * other. The normals that a file states are not used. Throws an Error that names the file, the line
- * (or, of a binary file, the triangle), what stands there, and what must. */
-void read_stl(const std::string &path, const std::function<void(const ContactTriangle &)> &take);
-
 /* Reads `FILE`, and behind it, in any order, `type T`, `move ...` and what places it. type: the
  * last of `types` where the words name none. */
 std::unique_ptr<DrivenMesh> read_driven_mesh(MPI_Comm world, Words &words, int types, int &type,

@@ -17,7 +17,7 @@ done < <(cd "$root" && grep -oHP '\]\(\K[^)\s]+' $pages)
 [ "$links" -ge 40 ] || die "only $links links were looked at"
 
 # `asperity COMMAND ... --option`, up to the end of the line, a backtick, or a pipe: commands and options, once each.
-commands='calibrate|compare|cor|erosion|materials|spread|surface|trade'
+commands='calibrate|compare|cor|erosion|map|materials|spread|surface|trade'
 (cd "$root" && grep -ohP "\basperity \K($commands) [^\`|]*" $pages) | awk '
   { text = $0; while (match(text, /(^|[^A-Za-z0-9_-])--[a-z][a-z-]*/)) { word = substr(text, RSTART, RLENGTH); sub(/^[^-]/, "", word)
       print $1, word; text = substr(text, RSTART + RLENGTH) } }' | sort -u > named

@@ -14,7 +14,7 @@ say() { echo "FAILED: $*"; bad=1; }
 # installed. An engine's headers are known to its own room only.
 declare -A knows=(
   [base]=''
-  [analysis]='base surface readers spread rebound erosion wall description'
+  [analysis]='base contact surface readers spread rebound erosion wall description'
   [surface]='base'
   [readers]='base surface'
   [spread]='base surface'
@@ -28,7 +28,7 @@ declare -A knows=(
   [lammps]='base contact dem'
   [openfoam]='base dem'
   [python]=''
-  [cli]='base surface readers spread rebound erosion wall description analysis'
+  [cli]='base contact surface readers spread rebound erosion wall description analysis'
 )
 engines=' liggghts lammps openfoam '
 with_mpi=" dem$engines"
