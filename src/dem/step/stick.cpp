@@ -218,7 +218,7 @@ static asp_removal draw_removal(const Setup &setup, const Mover &mover, const St
   const asp_key key = {setup.model.seed(), setup.stay_key, static_cast<uint64_t>(one.tag),
                        static_cast<uint32_t>(draws + 1), 0};
   if (!(place.shape >= 1))
-    return {0, 1};
+    return {0, 1, {}};
   return setup.model.removal(one.type, setup.shapes[shape].wall_type, 2 * one.radius, key);
 }
 
