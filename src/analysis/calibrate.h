@@ -99,7 +99,7 @@ asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error
  * start and from points in a box around the default values, with weights of the data. If the number
  * of impacts is known, a second fit uses the model's covariance as weights, which few impacts
  * cannot give (quasi-likelihood, Wedderburn 1974); it counts if the model then describes the data.
- */
+ * An unknown whose end of the search the data do not exclude is held there. */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
 /* Means and standard deviations of the model's CoR_N and CoR_T at the mean angle of a bin. False:

@@ -303,6 +303,8 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("sigma 5", "'sigma' belongs behind 'surface'", "surface sigma ANGLE");
   refuses("surface sigma 5 collisions single", "'collisions' belongs behind 'spread'",
           "spread MODEL collisions");
+  refuses("surface rq 5um lamda_c 40um", "'lamda_c' is unknown; did you mean 'lambda_c'?", "");
+  refuses("deposit freeze remove gas_densty 1.2", "did you mean 'gas_density'?", "");
   refuses("friction 0.3 u_tau 2", "'u_tau' belongs behind 'remove'", "");
   refuses("surface smooth map 100", "'map' has no place here behind 'surface'", "surface map FILE");
   refuses("materials quartz steel collisions multiple", "'collisions' belongs behind 'spread'", "");
