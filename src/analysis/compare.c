@@ -146,12 +146,17 @@ static void weigh_bin(const aspi_comparison *c, const source *from, aspi_compare
     double n = rows[i].rows;
     for (next = i + 1; next < b->end && same_place(&rows[i], &rows[next]);)
       n += rows[next++].rows;
-    double at = aspi_near_weigh(from->near, &rows[i], &same, 0), around = at;
-    if (at < ENOUGH)
-      around = aspi_near_weigh(from->near, &rows[i], from->far, 0);
-    bool exact = at >= ENOUGH || (at > 0 && at >= around);
-    if (around > 0)
-      aspi_near_weigh(from->near, &rows[i], exact ? &same : from->far, n / (exact ? at : around));
+    double found = aspi_near_find(from->near, &rows[i], &same);
+    bool exact = found >= ENOUGH;
+    if (!exact) {
+      double there = found;
+      found = aspi_near_find(from->near, &rows[i], from->far);
+      exact = there > 0 && there >= found;
+      if (exact)
+        found = aspi_near_find(from->near, &rows[i], &same);
+    }
+    if (found > 0)
+      aspi_near_weigh(from->near, n / found);
     double wide = exact ? 0 : from->far->degrees;
     b->from = fmax(0, fmin(b->from, rows[i].degrees - wide));
     b->to = fmin(90, fmax(b->to, rows[i].degrees + wide));

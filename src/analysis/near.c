@@ -12,7 +12,8 @@ enum { LEAF = 8, PLACES = 3, TREES = 4 };
 /* A reach of 0 counts as this. */
 #define FAR_LEAST 1e-4
 
-/* `added`: weight of all its rows. touched: it or something below it has a weight. */
+/* `added`: weight of all its rows. touched: it or
+ * something below it may have one. */
 typedef struct node {
   double least[PLACES], most[PLACES], rows, added;
   bool touched;
@@ -28,6 +29,8 @@ struct aspi_near {
   point *points; /* tree after tree */
   size_t first[TREES + 1];
   node *nodes[TREES]; /* the children of node k are 2 k + 1 and 2 k + 2 */
+  double **found;     /* weights of what was found last, rows and nodes */
+  size_t n_found;
 };
 
 typedef struct box {
@@ -90,6 +93,7 @@ static int tree_of(const aspi_scatter_row *row) {
 static bool make(aspi_near *near, const aspi_scatter *impacts) {
   size_t n = 0;
   near->points = malloc((impacts->count + 1) * sizeof *near->points);
+  near->found = malloc((impacts->count + 1) * sizeof *near->found);
   for (int t = 0; t < TREES && near->points; t++) {
     for (size_t i = 0; i < impacts->count; i++) {
       const aspi_scatter_row *row = &impacts->rows[i];
@@ -107,7 +111,7 @@ static bool make(aspi_near *near, const aspi_scatter *impacts) {
     if (count)
       build(near, near->nodes[t], 0, near->points + near->first[t], count);
   }
-  return near->points;
+  return near->points && near->found;
 }
 
 aspi_near *aspi_near_create(const aspi_scatter *impacts, const aspi_compare_reach *far) {
@@ -126,49 +130,51 @@ aspi_near *aspi_near_create(const aspi_scatter *impacts, const aspi_compare_reac
 void aspi_near_free(aspi_near *near) {
   for (int t = 0; t < TREES && near; t++)
     free(near->nodes[t]);
-  if (near)
+  if (near) {
     free(near->points);
+    free(near->found);
+  }
   free(near);
 }
 
-static bool is_inside(const box *b, const double at[PLACES]) {
-  for (int d = 0; d < PLACES; d++)
-    if (!(fabs(at[d] - b->center[d]) <= b->reach[d]))
-      return false;
-  return true;
+/* How a span lies to the box: 1 inside, -1 outside, 0 partly. */
+static int lies(const box *b, const double least[PLACES], const double most[PLACES]) {
+  bool inside = true;
+  for (int d = 0; d < PLACES; d++) {
+    double low = least[d] - b->center[d], high = most[d] - b->center[d], reach = b->reach[d];
+    if (low > reach || -high > reach)
+      return -1;
+    inside = inside && -low <= reach && high <= reach;
+  }
+  return inside;
 }
 
-static bool misses(const box *b, const node *k) {
-  for (int d = 0; d < PLACES; d++)
-    if (k->least[d] - b->center[d] > b->reach[d] || b->center[d] - k->most[d] > b->reach[d])
-      return true;
-  return false;
-}
-
-static double weigh(node *nodes, size_t k, point *p, size_t count, const box *b, double each) {
+static double find(aspi_near *near, node *nodes, size_t k, point *p, size_t count, const box *b) {
   node *own = &nodes[k];
-  if (misses(b, own))
+  int place = lies(b, own->least, own->most);
+  if (place < 0)
     return 0;
-  own->touched = own->touched || each > 0;
-  if (is_inside(b, own->least) && is_inside(b, own->most)) {
-    own->added += each;
+  own->touched = true;
+  if (place > 0) {
+    near->found[near->n_found++] = &own->added;
     return own->rows;
   }
   if (count > LEAF)
-    return weigh(nodes, 2 * k + 1, p, count / 2, b, each) +
-           weigh(nodes, 2 * k + 2, p + count / 2, count - count / 2, b, each);
+    return find(near, nodes, 2 * k + 1, p, count / 2, b) +
+           find(near, nodes, 2 * k + 2, p + count / 2, count - count / 2, b);
   double rows = 0;
   for (size_t i = 0; i < count; i++)
-    if (is_inside(b, p[i].at)) {
-      p[i].weight += each;
+    if (lies(b, p[i].at, p[i].at) > 0) {
+      near->found[near->n_found++] = &p[i].weight;
       rows += p[i].row->rows;
     }
   return rows;
 }
 
-double aspi_near_weigh(aspi_near *near, const aspi_scatter_row *at, const aspi_compare_reach *reach,
-                       double each) {
+double aspi_near_find(aspi_near *near, const aspi_scatter_row *at,
+                      const aspi_compare_reach *reach) {
   double rows = 0;
+  near->n_found = 0;
   for (int t = 0; t < TREES; t++) {
     const bool unknown[PLACES] = {false, t % 2 || isnan(at->v1), t / 2 || isnan(at->d_p)};
     box b = {{at->degrees, at->v1, at->d_p},
@@ -180,9 +186,14 @@ double aspi_near_weigh(aspi_near *near, const aspi_scatter_row *at, const aspi_c
       }
     size_t count = near->first[t + 1] - near->first[t];
     if (count)
-      rows += weigh(near->nodes[t], 0, near->points + near->first[t], count, &b, each);
+      rows += find(near, near->nodes[t], 0, near->points + near->first[t], count, &b);
   }
   return rows;
+}
+
+void aspi_near_weigh(aspi_near *near, double each) {
+  for (size_t i = 0; i < near->n_found; i++)
+    *near->found[i] += each;
 }
 
 static size_t take(node *nodes, size_t k, point *p, size_t count, double weight,

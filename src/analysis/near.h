@@ -25,10 +25,12 @@ typedef struct aspi_near aspi_near;
 aspi_near *aspi_near_create(const aspi_scatter *impacts, const aspi_compare_reach *far);
 void aspi_near_free(aspi_near *near);
 
-/* The number of impacts within reach of a place; an unknown speed or size is near any. Adds `each`
- * to the weight of each of them. */
-double aspi_near_weigh(aspi_near *near, const aspi_scatter_row *at, const aspi_compare_reach *reach,
-                       double each);
+/* Finds the impacts within reach of a place; an unknown speed or size is near any. Returns how many
+ * there are. */
+double aspi_near_find(aspi_near *near, const aspi_scatter_row *at, const aspi_compare_reach *reach);
+
+/* Adds to the weight of each row that was found last. */
+void aspi_near_weigh(aspi_near *near, double each);
 
 /* Takes the rows that have a weight into `taken`, which has a place for each row, and sets all
  * weights to 0; returns how many. */

@@ -16,11 +16,6 @@ enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
 /* ---- lines ---- */
 
-asp_code aspi_table_no_memory(const aspi_table *t, asp_error *error) {
-  return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->text.path,
-                   t->text.line);
-}
-
 /* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;

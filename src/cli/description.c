@@ -148,9 +148,9 @@ void cli_description_doubt_angles(const cli_description *d, const cli_list *angl
 }
 
 double cli_description_shrink(const cli_description *d, const asp_surface *surface) {
+  const aspi_wall_choice choice = aspi_description_choice(d->words);
   double ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
-  double x = d->wall->has_lay ? d->wall->lay[0] : 0;
-  return d->wall->has_lay ? 1 + (ratio * ratio - 1) * x * x : 1;
+  return choice.has_lay ? 1 + (ratio * ratio - 1) * choice.lay[0] * choice.lay[0] : 1;
 }
 
 cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double degrees,

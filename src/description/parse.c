@@ -66,7 +66,7 @@ static asp_code fail_within(const aspi_words *r, const aspi_keyword *of, asp_cod
   const char *next = r->next < r->count ? r->words[r->next] : "";
   aspi_keyword_names(of->name, list, sizeof list);
   bool is_own = !aspi_keyword_find(next) && !aspi_words_in_list(next, r->others);
-  return *next && is_own && aspi_nearest_name(next, list, near)
+  return *next && is_own && !aspi_words_in_list(next, list) && aspi_nearest_name(next, list, near)
              ? aspi_fail_unknown(r->error, "keyword", next, list)
              : code;
 }

@@ -70,8 +70,8 @@ static void add_surface(report *r, const asp_check_input *input) {
   add_sizes(r, input, s);
 }
 
-static void add_capture(report *r, double d_p, double speed) {
-  add(r, "%s d_p %.4g sticks ", r->length ? "," : "", d_p);
+static void add_capture(report *r, double d_p, double speed, const char *verb) {
+  add(r, "%s d_p %.4g %s", r->length ? "," : "", d_p, verb);
   if (isinf(speed))
     add(r, "at any speed");
   else if (speed > 0)
@@ -97,7 +97,7 @@ static void add_speeds(report *r, const asp_check_input *input) {
     if (k == 0 && !(speed > 0))
       return;
     if (k == 0 || d_p[1] > d_p[0])
-      add_capture(r, d_p[k], speed);
+      add_capture(r, d_p[k], speed, k == 0 ? "sticks " : "");
   }
 }
 

@@ -138,6 +138,7 @@ static void walk_wall(const asp_wall *wall) {
   const asp_key key = {1, 1, 1, 1, 0};
   const double lay[3] = {1, 0, 0};
   bool lacks = wall->law->needs_pair && !asp_wall_pair(wall);
+  assert_true(asp_wall_seed(wall) >= 1);
   assert_non_null(asp_spread_name(asp_wall_spread(wall)));
   walk_surface(asp_wall_surface(wall));
   for (int k = 0; k < ODD; k++)

@@ -773,6 +773,46 @@ static void files_that_fail_have_their_code(void **state) {
   remove(files[1]);
 }
 
+/* The log's lines: of the surface, and of the speeds at which particles yield and stick. */
+static void walls_are_reported(void **state) {
+  (void)state;
+  asp_description *d = parse("surface rq 5um lambda_c 40um 90um lay 1 0 0 materials quartz 304-ss "
+                             "rebound bons temperature 1200",
+                             NULL);
+  asp_wall *wall = asp_wall_create(d, 0, 0, NULL);
+  asp_particle largest = {.d_p = 20e-6, .density = 2650};
+  asp_check_input input = {.words = d, .wall = wall, .d_least = 10e-6, .largest = &largest};
+  char text[1000], some[10];
+  size_t length = asp_wall_report(&input, text, sizeof text);
+  assert_int_equal(length, strlen(text));
+  assert_int_equal(asp_wall_report(&input, some, sizeof some), length);
+  assert_memory_equal(some, text, sizeof some - 1);
+  assert_non_null(
+      strstr(text, "\n  R_q 5e-06, lambda_c 4e-05, Phi_R 0.125, sigma 10.02 deg before"));
+  assert_non_null(strstr(text, ", lambda_c along the lay 9e-05, spread visible isotropic, collis"));
+  assert_non_null(strstr(text, "\n  d_p 1e-05: tilt of sigma "));
+  assert_non_null(strstr(text, "\n  d_p 2e-05: tilt of sigma "));
+  assert_non_null(strstr(text, "1200 K the yield stress is 0.775 of that when cold"));
+  largest.pair = asp_wall_pair(wall);
+  double capture, yields;
+  asp_wall_report(&input, text, sizeof text);
+  assert_int_equal(sscanf(text, " yields above %lf along the normal, d_p 1e-05 sticks below %lf",
+                          &yields, &capture),
+                   2);
+  double modulus = asp_pair_get(largest.pair, "modulus"),
+         stress = asp_pair_get(largest.pair, "yield_stress");
+  assert_near(yields / (0.775 * stress / sqrt(2650 * modulus)), 1, 1e-3);
+  for (int i = 0; i < 2; i++) { /* just above it, and below */
+    asp_particle grain = {.d_p = 10e-6, .density = 2650};
+    asp_impact impact;
+    const double n[3] = {0, 0, 1}, v1[3] = {0, 0, -capture * (i ? 0.99 : 1.01)};
+    asp_wall_impact_mean(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1, 0}, &impact);
+    assert_int_equal(impact.outcome, i ? ASP_DEPOSIT : ASP_REBOUND);
+  }
+  asp_wall_free(wall);
+  asp_description_free(d);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(files_that_fail_have_their_code),
@@ -795,6 +835,7 @@ int main(void) {
       cmocka_unit_test(coarse_files_are_doubted),
       cmocka_unit_test(numbers_may_be_unknown),
       cmocka_unit_test(unknown_numbers_are_set),
+      cmocka_unit_test(walls_are_reported),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

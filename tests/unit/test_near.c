@@ -57,9 +57,8 @@ static void as_by_search(void **state) {
     for (int k = 0; k < 5; k++) { /* of one bin */
       const aspi_scatter_row at = q % 2 ? rows[(q * 37 + k) % ROWS] : draw_row(&s);
       const aspi_compare_reach *reach = &reaches[(q + k) % 3];
-      double found = aspi_near_weigh(near, &at, reach, 0);
-      assert_near(found, by_search(&at, reach, 0.5 + k), 0);
-      assert_near(aspi_near_weigh(near, &at, reach, 0.5 + k), found, 0);
+      assert_near(aspi_near_find(near, &at, reach), by_search(&at, reach, 0.5 + k), 0);
+      aspi_near_weigh(near, 0.5 + k);
     }
     size_t n = aspi_near_take(near, taken), expected = 0;
     for (int i = 0; i < ROWS; i++)
@@ -80,7 +79,8 @@ static void none_is_near_nothing(void **state) {
   aspi_near *near = aspi_near_create(&empty, &reach);
   aspi_weighted taken;
   assert_non_null(near);
-  assert_near(aspi_near_weigh(near, &at, &reach, 1), 0, 0);
+  assert_near(aspi_near_find(near, &at, &reach), 0, 0);
+  aspi_near_weigh(near, 1);
   assert_int_equal(aspi_near_take(near, &taken), 0);
   aspi_near_free(near);
 }
