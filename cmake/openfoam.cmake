@@ -1,5 +1,6 @@
-# OpenFOAM, for the patch interaction model: the target OpenFOAM::intermediate, and OPENFOAM_API, as 1912. Headers by
-# openfoam_headers; libraries of the system or, of another OpenFOAM, where its environment has them (FOAM_LIBBIN).
+# OpenFOAM, for the patch interaction model: the target OpenFOAM::intermediate, OPENFOAM_API, as 1912, and
+# OPENFOAM_CXX_STANDARD, as 11. Headers by openfoam_headers; libraries of the system or, of another OpenFOAM, where its
+# environment has them (FOAM_LIBBIN).
 # SPDX-License-Identifier: GPL-3.0-or-later
 set(_dir ${CMAKE_BINARY_DIR}/openfoam)
 set(_tree ${ASPERITY_OPENFOAM_SOURCE})
@@ -19,7 +20,7 @@ endif()
 file(STRINGS ${_tree}/META-INFO/api-info OPENFOAM_API REGEX "^api=")
 string(REGEX REPLACE "api=" "" OPENFOAM_API "${OPENFOAM_API}")
 file(STRINGS ${_tree}/wmake/rules/General/Gcc/c++ _standard REGEX "-std=")
-string(REGEX MATCH "-std=[a-z0-9+]+" _standard "${_standard}")
+string(REGEX REPLACE ".*-std=[a-z]+[+][+]([0-9]+).*" "\\1" OPENFOAM_CXX_STANDARD "${_standard}")
 find_library(OPENFOAM_INTERMEDIATE lagrangianIntermediate HINTS ENV FOAM_LIBBIN PATHS /usr/lib REQUIRED)
 mark_as_advanced(OPENFOAM_INTERMEDIATE)
 set(_label $ENV{WM_LABEL_SIZE})
@@ -38,4 +39,4 @@ set_target_properties(OpenFOAM::intermediate PROPERTIES
   IMPORTED_LOCATION ${OPENFOAM_INTERMEDIATE}
   INTERFACE_INCLUDE_DIRECTORIES "${_headers}"
   INTERFACE_COMPILE_DEFINITIONS "OPENFOAM=${OPENFOAM_API};WM_${_precision};WM_LABEL_SIZE=${_label};NoRepository"
-  INTERFACE_COMPILE_OPTIONS "$<$<COMPILE_LANGUAGE:CXX>:${_standard};-ftemplate-depth-100>")
+  INTERFACE_COMPILE_OPTIONS "$<$<COMPILE_LANGUAGE:CXX>:-ftemplate-depth-100>")

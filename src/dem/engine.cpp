@@ -32,13 +32,6 @@ Bounds Bounds::of_path(const double x[3], const double v[3], double from, double
   return box;
 }
 
-bool Bounds::has(const Bounds &inner) const {
-  bool all = true;
-  for (int d = 0; d < 3; d++)
-    all = all && lo[d] <= inner.lo[d] && inner.hi[d] <= hi[d];
-  return all;
-}
-
 void Bounds::include(const double x[3]) {
   for (int d = 0; d < 3; d++) {
     lo[d] = std::min(lo[d], x[d]);

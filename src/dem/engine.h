@@ -31,7 +31,6 @@ struct Box {
 /* A box around something, its sides along the axes. */
 struct Bounds {
   double lo[3], hi[3];
-  bool has(const Bounds &inner) const;
   void include(const double x[3]);
   void widen(double by);
   std::string describe() const;

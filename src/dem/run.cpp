@@ -16,16 +16,11 @@ std::vector<Stepper *> Run::steppers() const {
   return all;
 }
 
-Spheres Run::spheres() {
+Spheres Run::spheres() const {
   Spheres s = all_spheres();
-  const BodySource &of = bodies();
-  if (!of.any())
-    return s;
-  masks_.assign(s.mask, s.mask + s.n);
-  for (int i = 0; i < s.n; i++)
-    if (of.has(i))
-      masks_[static_cast<size_t>(i)] = 0;
-  s.mask = masks_.data();
+  const std::vector<int> &masks = walls_.front()->masks_;
+  if (!masks.empty())
+    s.mask = masks.data();
   return s;
 }
 
@@ -37,10 +32,16 @@ Bodies *Run::take_bodies() {
  */
 
 void Run::list_bodies(bool begins) {
-  if (!leads() || !bodies().any())
+  if (!leads())
     return;
+  masks_.clear();
+  if (!bodies().any())
+    return;
+  const Spheres s = all_spheres();
   bodies().list(steppers(), begins);
-  body_rows_.reset(all_spheres(), walls_.size());
+  body_rows_.reset(s, walls_.size());
+  for (int i = 0; i < s.n; i++)
+    masks_.push_back(bodies().has(i) ? 0 : s.mask[i]);
 }
 
 void Run::begin(bool is_setup) {
@@ -49,7 +50,7 @@ void Run::begin(bool is_setup) {
   attempt([this, is_setup] {
     const Spheres all = spheres();
     wall.begin_run(all, group_bit(), box());
-    wall.free_displaced(all, is_setup ? 0 : all.dt);
+    wall.stepper.free_displaced(all, is_setup ? 0 : all.dt);
   });
   has_begun_ = true;
 }

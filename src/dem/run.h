@@ -50,8 +50,8 @@ public:
   void list_deleted();
   bool is_deleted(int i);
 
-  /* Those that may meet walls one by one. */
-  Spheres spheres();
+  /* Those of list_bodies() that may meet walls one by one. */
+  Spheres spheres() const;
 
   /* The record that an engine gives back does not say how long it is: its first bytes do. */
   void write_record(FILE *file);
@@ -105,8 +105,10 @@ private:
   void warn_of_lost(const Bodies &all);
 
   bool has_begun_, is_checked_; /* begin() was called for this run, and check_use() */
-  std::vector<int> masks_;      /* of the particles, 0 for those of bodies */
-  BodyRows body_rows_;          /* of the first wall, for all */
+  /* Of the first wall, for all: groups of the particles, 0 for those of bodies; empty if there are
+   * no bodies. */
+  std::vector<int> masks_;
+  BodyRows body_rows_;
 };
 
 } // namespace asperity

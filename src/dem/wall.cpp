@@ -137,16 +137,6 @@ void Wall::check_use(const Bounds *box, const char *empty_group) {
                            empty_group));
 }
 
-void Wall::free_displaced(const Spheres &spheres, double moved) {
-  int mine = stepper.free_displaced(spheres, moved), all;
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, setup.engine.world());
-  if (all > 0)
-    setup.engine.warn(
-        text("stuck particles that a command has moved from their place: %d; they are "
-             "free",
-             all));
-}
-
 void Wall::set_rows(double *state) {
   stepper.rows.state = reinterpret_cast<MoverState *>(state);
   books.set_states(stepper.rows.state);

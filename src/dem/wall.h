@@ -41,9 +41,6 @@ struct Wall {
   /* Before a run, and at its beginning, when all particles are where they belong; collective. */
   void init(int64_t step, double dt);
   void begin_run(const Spheres &spheres, int groupbit, const Box &box);
-  /* Behind begin_run(): frees stuck particles that a command has moved. moved: for which time the
-   * engine has moved all since the last step. Collective. */
-  void free_displaced(const Spheres &spheres, double moved);
 
   /* In a step: warns of what makes no sense. box: that of the particles, NULL where it grows with
    * them; empty_group: the name of the wall's group if it has no particles, or NULL. Collective. */

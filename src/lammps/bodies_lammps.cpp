@@ -162,7 +162,6 @@ void BodiesOfLammps::list(const std::vector<asperity::Stepper *> &walls, bool be
     is_checked_ = false;
     bodies_.begins = true;
     read();
-    bodies_.step++;
   }
   asperity::claim_bodies(walls, bodies_, lammps_->world);
 }

@@ -383,8 +383,8 @@ void FixWallRebound::pre_exchange() {
 void FixWallRebound::pre_neighbor() {
   check_movers();
   set_rows();
-  wall.reorder(spheres());
   list_bodies(false);
+  wall.reorder(spheres());
 }
 
 /* Meshes that measure: LIGGGHTS has cleared their sums by now, and will use them after the forces.

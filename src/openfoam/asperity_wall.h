@@ -22,42 +22,80 @@ template <class P> auto hasTemperature(const P *p) -> decltype(p->T(), true) {
 inline bool hasTemperature(const void *) {
   return false;
 }
+template <class P> auto canCollide(const P *p) -> decltype(p->collisionRecords(), true) {
+  return true;
+}
+inline bool canCollide(const void *) {
+  return false;
+}
 
 template <class CloudType> class asperityWall : public PatchInteractionModel<CloudType> {
 public:
+  typedef PatchInteractionModel<CloudType> Model;
   typedef typename CloudType::parcelType parcelType;
   TypeName("asperityWall");
 
   asperityWall(const dictionary &dict, CloudType &cloud)
-      : PatchInteractionModel<CloudType>(dict, cloud, typeName),
+      : Model(dict, cloud, typeName),
         walls_(std::make_shared<asperity::PatchWalls>(
-            cloud.name(), asperity::Gas{cloud.U(), cloud.rho(), cloud.mu()},
-            hasTemperature(static_cast<parcelType *>(nullptr)), cloud.constProps().rho0(),
-            cloud.solution().steadyState(), *this)) {}
+            cloud.name(), asperity::Gas{cloud.U(), cloud.rho(), cloud.mu()}, kind_of(cloud),
+            *this)) {}
   /* A cloud in steady state makes a copy at each solution; it has the same walls. */
-  virtual autoPtr<PatchInteractionModel<CloudType>> clone() const {
-    return autoPtr<PatchInteractionModel<CloudType>>(new asperityWall<CloudType>(*this));
+  virtual autoPtr<Model> clone() const {
+    return autoPtr<Model>(new asperityWall<CloudType>(*this));
   }
   virtual bool correct(parcelType &p, const polyPatch &patch, bool &keepParticle);
+#if OPENFOAM < 2212
   virtual void info(Ostream &os) {
-    PatchInteractionModel<CloudType>::info(os);
-    this->file() << endl;
-    remove();
-    scalar least = GREAT, most = 0;
-    for (const parcelType &p : this->owner()) {
-      least = std::min(least, p.d());
-      most = std::max(most, p.d());
-    }
-    walls_->meet(least, most);
-    walls_->info(os, *this);
+    Model::info(os);
+    report(os);
+  }
+#else
+  virtual void info() {
+    Model::info();
+    OStringStream unlogged;
+    report(this->log ? static_cast<Ostream &>(Info.stream()) : unlogged);
+  }
+#endif
+
+protected:
+  virtual void writeFileHeader(Ostream &os) {
+    Model::writeFileHeader(os);
+    walls_->write_header(os);
   }
 
 private:
+  static asperity::Cloud kind_of(const CloudType &cloud);
+  void report(Ostream &os);
   void remove();
   asperity::Parcel parcel_at(const parcelType &p, const polyPatch &patch, label face) const;
 
   std::shared_ptr<asperity::PatchWalls> walls_;
 };
+
+template <class CloudType>
+asperity::Cloud asperityWall<CloudType>::kind_of(const CloudType &cloud) {
+  const parcelType *const any = nullptr;
+  asperity::Cloud kind = {};
+  kind.density = cloud.constProps().rho0();
+  kind.has_temperature = hasTemperature(any);
+  kind.can_collide = canCollide(any);
+  kind.is_steady = cloud.solution().steadyState();
+  return kind;
+}
+
+/* At the end of a time step, on all ranks. The base class has begun a line of its file. */
+template <class CloudType> void asperityWall<CloudType>::report(Ostream &os) {
+  remove();
+  scalar least = GREAT, most = 0;
+  for (const parcelType &p : this->owner()) {
+    least = std::min(least, p.d());
+    most = std::max(most, p.d());
+  }
+  walls_->meet(least, most);
+  walls_->info(os, this->file(), *this);
+  this->file() << endl;
+}
 
 /* What flows take away in this time step begins at rest on its face. A parcel that has stuck is on
  * the face of its tetrahedron. */

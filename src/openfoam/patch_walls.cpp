@@ -26,9 +26,9 @@ static void fail(const dictionary &dict, const std::string &what) {
   FatalIOErrorInFunction(dict) << what.c_str() << exit(FatalIOError);
 }
 
-PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, double density,
-                       bool is_steady, const subModelBase &model)
-    : mesh_(gas.U.mesh()), gas_(gas), cloud_(), is_large_(false),
+PatchWalls::PatchWalls(const word &name, const Gas &gas, const Cloud &cloud,
+                       const subModelBase &model)
+    : mesh_(gas.U.mesh()), gas_(gas), cloud_(cloud), is_large_(false),
       every_(model.coeffDict().getOrDefault<label>("ledger", 0)),
       columns_(model.coeffDict().getOrDefault<Switch>("fullLedger", false)
                    ? LedgerColumn::N_FULL
@@ -36,37 +36,49 @@ PatchWalls::PatchWalls(const word &cloud, const Gas &gas, bool has_temperature, 
       of_patch_(mesh_.boundaryMesh().size(), NULL),
       sums_(mesh_.boundaryMesh().nNonProcessor() * N_SUMS, Zero), sums_before_(sums_) {
   const dictionary &coeffs = model.coeffDict();
-  for (const word &name : coeffs.toc()) /* U is one of OpenFOAM's own */
-    if (!wordList({"walls", "dMin", "dMax", "ledger", "fullLedger", "U"}).found(name))
-      fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger " +
-                       "and fullLedger");
-  cloud_ = {coeffs.getOrDefault<scalar>("dMin", 0),
-            coeffs.getOrDefault<scalar>("dMax", 0),
-            density,
-            has_temperature,
-            mesh_.nGeometricD() < 3,
-            is_steady};
+  check_entries(model.dict(), coeffs);
+  cloud_.d_least = coeffs.getOrDefault<scalar>("dMin", 0);
+  cloud_.d_most = coeffs.getOrDefault<scalar>("dMax", 0);
+  cloud_.is_flat = mesh_.nGeometricD() < 3;
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
    * and writes words; an impact raises none. */
   fenv_t traps;
   feholdexcept(&traps);
-  read(cloud, cloud_, coeffs.subDict("walls"));
-  impacts_ = field<scalar>(cloud + ":impacts", dimless);
-  deposited_ = field<scalar>(cloud + ":depositedMass", dimMass);
-  energy_ = field<scalar>(cloud + ":energy", dimEnergy);
-  impulse_ = field<vector>(cloud + ":impulse", dimMass * dimVelocity);
+  read(name, cloud_, coeffs.subDict("walls"));
+  impacts_ = field<scalar>(name + ":impacts", dimless);
+  deposited_ = field<scalar>(name + ":depositedMass", dimMass);
+  energy_ = field<scalar>(name + ":energy", dimEnergy);
+  impulse_ = field<vector>(name + ":impulse", dimMass * dimVelocity);
   std::istringstream sums(model.getModelProperty<string>("sums", ""));
   for (scalar &sum : sums_before_)
     sums >> sum;
-  const fileName folder = mesh_.time().globalPath() / "postProcessing/lagrangian" / cloud;
+  const fileName folder = mesh_.time().globalPath() / "postProcessing/lagrangian" / name;
   for (const auto &wall : walls_) {
     if (wall->worn_density > 0 && !eroded_)
-      eroded_ = field<scalar>(cloud + ":erodedDepth", dimLength);
+      eroded_ = field<scalar>(name + ":erodedDepth", dimLength);
     if (every_ > 0 && Pstream::master())
       open_ledger(*wall, folder / "asperityWall" / wall->name + ".csv",
                   model.getModelProperty<string>(wall->name, ""));
   }
   fesetenv(&traps);
+}
+
+void PatchWalls::check_entries(const dictionary &models, const dictionary &coeffs) const {
+  const word collisions = models.getOrDefault<word>("collisionModel", "none");
+  if (cloud_.can_collide && collisions != "none")
+    fail(models, "collisionModel is '" + collisions +
+                     "', whose wall model turns parcels back before their centers reach a wall, " +
+                     "so that asperityWall would never act; it must be none");
+  const wordList entries({"walls", "dMin", "dMax", "ledger", "fullLedger"});
+  const wordList of_base({"U", "writeToFile", "writePrecision", "useUserTime", "updateHeader"});
+  for (const word &name : coeffs.toc())
+    if (name == "UrMax")
+      fail(coeffs,
+           "entry 'UrMax' has no effect: asperityWall removes no parcel because it is slow " +
+               word("on a wall that moves; it must be left out"));
+    else if (!entries.found(name) && !of_base.found(name))
+      fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger, " +
+                       "fullLedger and writeToFile");
 }
 
 /* Each wall takes the entry of its name, else the last regular expression that fits. */
@@ -233,7 +245,18 @@ void PatchWalls::flush(PatchWall &wall) const {
                          << " failed: " << why.c_str() << exit(FatalError);
 }
 
-void PatchWalls::info(Ostream &os, subModelBase &model) {
+/* In the order of the sums. */
+static const char *const COLUMNS[] = {"nRebound", "massRebound", "nStick",    "massStick",
+                                      "nRemoved", "massRemoved", "massEroded"};
+
+void PatchWalls::write_header(Ostream &table) const {
+  for (const fvPatch &patch : mesh_.boundary())
+    if (patch.index() < sums_.size() / N_SUMS && of_patch_[patch.index()])
+      for (const char *column : COLUMNS)
+        table << tab << word(patch.name() + "_" + column);
+}
+
+void PatchWalls::info(Ostream &os, Ostream &table, subModelBase &model) {
   const Time &time = mesh_.time();
   const bool ends = time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
   for (const auto &wall : walls_) {
@@ -254,15 +277,18 @@ void PatchWalls::info(Ostream &os, subModelBase &model) {
   forAll(sums, i) text << (sums[i] += sums_before_[i]) << ' ';
   for (label patch = 0; patch < sums.size() / N_SUMS; patch++) {
     const scalar *sum = &sums[patch * N_SUMS];
-    if (of_patch_[patch])
-      os << "    Parcel fate: patch " << mesh_.boundary()[patch].name() << " (number, mass)" << nl
-         << "      - rebound                     = " << static_cast<int64_t>(sum[REBOUND]) << ", "
-         << sum[REBOUND_MASS] << nl
-         << "      - stick                       = " << static_cast<int64_t>(sum[STICK]) << ", "
-         << sum[STICK_MASS] << nl
-         << "      - removed by the flow         = " << static_cast<int64_t>(sum[REMOVED]) << ", "
-         << sum[REMOVED_MASS] << nl << "      - eroded from the wall (mass) = " << sum[ERODED_MASS]
-         << nl;
+    if (!of_patch_[patch])
+      continue;
+    for (int k = 0; k < N_SUMS; k++)
+      table << tab << sum[k];
+    os << "    Parcel fate: patch " << mesh_.boundary()[patch].name() << " (number, mass)" << nl
+       << "      - rebound                     = " << static_cast<int64_t>(sum[REBOUND]) << ", "
+       << sum[REBOUND_MASS] << nl
+       << "      - stick                       = " << static_cast<int64_t>(sum[STICK]) << ", "
+       << sum[STICK_MASS] << nl
+       << "      - removed by the flow         = " << static_cast<int64_t>(sum[REMOVED]) << ", "
+       << sum[REMOVED_MASS] << nl << "      - eroded from the wall (mass) = " << sum[ERODED_MASS]
+       << nl;
   }
   if (time.writeTime())
     model.setModelProperty<string>("sums", text.str());

@@ -17,11 +17,11 @@
 namespace asperity {
 
 /* Properties of a cloud that the words do not state: diameters, 0 where they are not given; the
- * density of the parcels; whether they have a temperature; whether the case has two dimensions, and
- * no time. */
+ * density of the parcels; whether they have a temperature, and can collide; whether the case has
+ * two dimensions, and no time. */
 struct Cloud {
   double d_least, d_most, density;
-  bool has_temperature, is_flat, is_steady;
+  bool has_temperature, can_collide, is_flat, is_steady;
 };
 
 /* A parcel that hits a face: it stands for `number` particles; v1 is relative to the wall, whose
@@ -78,8 +78,8 @@ struct Gas {
 class PatchWalls {
 public:
   /* `model` has the entries, and what a restart needs. A fault ends the run and names its entry. */
-  PatchWalls(const Foam::word &cloud, const Gas &gas, bool has_temperature, double density,
-             bool is_steady, const Foam::subModelBase &model);
+  PatchWalls(const Foam::word &name, const Gas &gas, const Cloud &cloud,
+             const Foam::subModelBase &model);
 
   /* The wall of a patch; NULL: the patch is none. */
   const PatchWall *at(int patch) const {
@@ -93,13 +93,15 @@ public:
    * d_most 0: it has none. */
   void meet(double d_least, double d_most);
 
-  /* At the end of a time step, on all ranks: sums to the log, rows to the ledgers, and at the time
-   * of writing what a restart needs. */
-  void info(Foam::Ostream &os, Foam::subModelBase &model);
+  /* At the end of a time step, on all ranks: sums to the log and to a line of `table`, rows to the
+   * ledgers, and at the time of writing what a restart needs. */
+  void info(Foam::Ostream &os, Foam::Ostream &table, Foam::subModelBase &model);
+  void write_header(Foam::Ostream &table) const;
 
 private:
   enum { REBOUND, REBOUND_MASS, STICK, STICK_MASS, REMOVED, REMOVED_MASS, ERODED_MASS, N_SUMS };
 
+  void check_entries(const Foam::dictionary &models, const Foam::dictionary &coeffs) const;
   void read(const Foam::word &name, const Cloud &cloud, const Foam::dictionary &entries);
   template <class Type>
   std::unique_ptr<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>

@@ -1,8 +1,9 @@
-/* Costs of LAMMPS's regions as walls, by a grain and a step.
+/* Costs of walls in LAMMPS, by a grain and a step: of regions, and of a plane beside a body.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <mpi.h>
 #include <string>
+#include <vector>
 
 #include "lammps.h"
 #include "atom.h"
@@ -47,6 +48,7 @@ Fix *create(LAMMPS *lammps, int count, char **words) {
 const char *const BEGIN[] = {"clear",
                              "units si",
                              "atom_style sphere",
+                             "atom_modify map array",
                              "newton off",
                              "boundary f f f",
                              "region box block 0 0.04 0 0.04 -0.01 0.03 units box",
@@ -61,23 +63,43 @@ const char *const BEGIN[] = {"clear",
                              "timestep 1e-5",
                              "thermo_style custom step"};
 
-void count_region(LAMMPS &lammps, const char *what, double height, const char *region,
-                  const char *motion) {
+/* What the wall costs a grain in a step after the first ones. */
+void count_scene(LAMMPS &lammps, const char *what, int grains,
+                 const std::vector<std::string> &lines) {
   const int steps = 40;
   for (const char *line : BEGIN)
     lammps.input->one(line);
   (*lammps.modify->fix_map)["wall/rebound"] = create;
-  for (const std::string &line :
-       {"displace_atoms all move 0.002 0.002 " + std::to_string(0.001 + height) + " units box",
-        std::string("fix fall all gravity 9.81 vector 0 0 -1"),
-        std::string("variable a equal 10*time"), std::string("variable d equal 0.01*time"),
-        "region r " + std::string(region) + " " + motion,
-        std::string("fix wall all wall/rebound region r rebound walton 0.5 0.3 0 deposit off"),
-        std::string("run 20")})
+  for (const std::string &line : lines)
     lammps.input->one(line);
+  lammps.input->one("run 20");
   count_begin();
   lammps.input->one(("run " + std::to_string(steps)).c_str());
-  count_end(what, static_cast<double>(steps) * GRAINS);
+  count_end(what, static_cast<double>(steps) * grains);
+}
+
+void count_region(LAMMPS &lammps, const char *what, double height, const char *region,
+                  const char *motion) {
+  count_scene(
+      lammps, what, GRAINS,
+      {"displace_atoms all move 0.002 0.002 " + std::to_string(0.001 + height) + " units box",
+       "fix fall all gravity 9.81 vector 0 0 -1", "variable a equal 10*time",
+       "variable d equal 0.01*time", "region r " + std::string(region) + " " + motion,
+       "fix wall all wall/rebound region r rebound walton 0.5 0.3 0 deposit off"});
+}
+
+/* Many small grains that fall far from a plane, two of which are a body. */
+void count_beside_body(LAMMPS &lammps, const char *what) {
+  const int along = 100;
+  count_scene(lammps, what, along * along,
+              {"delete_atoms group all", "lattice sc 0.0004",
+               "region layer block INF INF INF INF -0.0001 0.0001 units box",
+               "create_atoms 1 region layer", "set group all diameter 0.0003 density 2500",
+               "unfix move", "group two id 1 2", "fix number all property/atom mol",
+               "set group two mol 1", "group others subtract all two", "fix move others nve/sphere",
+               "comm_modify cutoff 0.001", "fix body two rigid/small molecule",
+               "fix fall all gravity 9.81 vector 0 0 -1",
+               "fix wall all wall/rebound zplane -0.009 rebound walton 0.5 0.3 0 deposit off"});
 }
 
 } // namespace
@@ -93,6 +115,7 @@ int main(int argc, char **argv) {
   count_region(lammps, "grain at rest on a region that turns", 0, room, turns);
   count_region(lammps, "grain far from a region that moves", 0.014, room, moves);
   count_region(lammps, "grain far from a region that turns", 0.014, room, turns);
+  count_beside_body(lammps, "grain far from a plane beside a body");
   MPI_Finalize();
   return 0;
 }

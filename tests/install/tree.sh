@@ -29,3 +29,9 @@ done
 printf '%s\n' "${added[@]}" | grep -v '^asperity/' | sort | diff - "$work/new" || die "diff does not list what was added"
 "$script" remove "$work/src" > /dev/null
 (cd "$work/src" && find . | sort) | diff "$work/before" - || die "remove leaves another tree than before"
+
+# A fork with other classes is refused, and stays as it is.
+rm "$work/src/mesh_module_stress.h"
+! "$script" install "$work/src" "$build" 2> "$work/log" || die "a tree without mesh_module_stress.h was taken"
+grep -q "is not LIGGGHTS-PUBLIC 3.8.0 (LIGGGHTS-PFM" "$work/log" || die "no word of LIGGGHTS-PFM: $(cat "$work/log")"
+[ ! -e "$work/src/asperity" ] || die "a refused tree was changed"

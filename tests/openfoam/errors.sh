@@ -29,8 +29,16 @@ refuses 'walls { ".*" "materials quartz hastelloy-x deposit delete remove gas_de
 refuses 'walls { ".*" "rebound constant 1 1 erosion dnv"; }' 'entry .*:' "density"
 refuses "walls { \".*\" \"$smooth\"; } ledger often;" "ledger"
 refuses "walls { \".*\" \"$smooth\"; } ledgr 100;" "'ledgr'" "ledger"
+refuses "walls { \".*\" \"$smooth\"; } UrMax 1e-4;" "'UrMax' has no effect"
 refuses "walls { \".*\" \"materials quartz hastelloy-x ledger 100 file x\"; }" "material 'ledger' is unknown"
 refuses "walls { \".*\" \"$smooth\"; } ledger 1; fullLedger perhaps;" "fullLedger"
+
+# With collisions parcels turn at their radius, before the center that hits.
+box collide "walls { \".*\" \"$smooth\"; }"
+sed -i 's/collisionModel none/collisionModel pairCollision/' collide/constant/kinematicCloudProperties
+mesh collide
+! (cd collide && icoUncoupledKinematicParcelFoam > log 2>&1) || die "a wall that collisions keep parcels from was taken"
+grep -q "collisionModel is 'pairCollision'.* it must be none" collide/log || die "no word of collisionModel"
 
 # Two dimensions.
 box flat "walls { \".*\" \"surface rq 5um lambda_c 40um $smooth\"; }" "sides={ type empty; faces ((0 4 7 3) (2 6 5 1)); } ends { type wall; faces ((1 5 4 0) (3 7 6 2)); }" cells='1 4 4' speed='0 0.3 -0.7'

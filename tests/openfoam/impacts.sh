@@ -34,7 +34,7 @@ done
 
 # A parcel stands for 3 particles. What sticks leaves the cloud, or stays; walls are worn.
 for deposit in freeze delete; do
-  box $deposit "walls { \".*\" \"rebound constant 1 0.9\"; floor \"$rough materials quartz hastelloy-x surface_energy 4 deposit $deposit erosion finnie 1GPa\"; } ledger 20; fullLedger yes;" number=3 end=0.02 dt=0.0005 parcels=400 speed="100 30 -70"
+  box $deposit "walls { \".*\" \"rebound constant 1 0.9\"; floor \"$rough materials quartz hastelloy-x surface_energy 4 deposit $deposit erosion finnie 1GPa\"; } ledger 20; fullLedger yes; writeToFile yes; writePrecision 8; useUserTime yes;" number=3 end=0.02 dt=0.0005 parcels=400 speed="100 30 -70"
   mesh $deposit; run $deposit
 done
 same <(rows "$(ledger freeze __)") <(rows "$(ledger delete __)") "deposits"
@@ -43,6 +43,11 @@ left=$(awk '/Current number of parcels/ { n = $NF } END { print n }' delete/log.
 read -r rebounds mass < <(numbers delete rebound floor)
 read -r stuck stuck_mass < <(numbers delete stick floor)
 [ $((left + stuck)) = 400 ] && [ "$stuck" -gt 50 ] && [ "$rebounds" -gt 20 ] || die "$left parcels are left, $stuck stuck, $rebounds rebounded"
+# OpenFOAM's file of fates, which writeToFile makes, has the log's last numbers in named columns.
+fates=delete/postProcessing/lagrangian/kinematicCloud/patchInteractionModel/0/asperityWall.dat
+awk '/^# Time/ { for (k = 2; k <= NF; k++) if ($k ~ /^floor_(n|mass)(Rebound|Stick)$/) at[++n] = k - 1 }
+  END { for (k = 1; k <= n; k++) print $at[k] }' $fates > of_fates
+near of_fates <(printf '%s\n' "$rebounds" "$mass" "$stuck" "$stuck_mass") 1 1e-7
 rows "$(ledger delete floor)" | awk -F, '{ n += 3; m += $20; if ($19 == 2) s += $20; e += $20 * ($24^2 + $25^2 + $26^2) / 2; w += $39 }
   END { printf "%.12g\n%.12g\n%.12g\n%.12g\n%.12g\n", n, m, s, e, w }' > of_rows
 { sum_of delete/0.02/kinematicCloud:impacts

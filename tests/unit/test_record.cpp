@@ -133,7 +133,7 @@ static void other_version(void **) {
   put(record, VERSION, 7);
   sum_up(record);
   assert_says(wrong_of(record, record.size(), SIZE_MAX),
-              "is of version 7; it must be of version 4");
+              "is of version 7; it must be of version 5");
 }
 
 /* What was written before records had a name began with counters. */

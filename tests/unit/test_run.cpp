@@ -126,11 +126,93 @@ void commands_free_what_they_move(void **) {
   s.grains.x[2] += 0.3;
   s.grains.put(0, {0, 0, 0.8}, {0.1, 0, 0});
   s.wall->begin_run(s.grains.spheres(), 1, Box());
-  s.wall->free_displaced(s.grains.spheres(), 0);
+  s.wall->stepper.free_displaced(s.grains.spheres(), 0);
   assert_non_null(strstr(s.engine.warned.c_str(), "moved from their place: 1"));
   s.grains.fly(10);
   assert_true(s.wall->stuck() == 1 && s.wall->stepper.rows.is_stuck(1));
   assert_true(near(s.grains.x[0], 0.1, 1e-12) && near(s.grains.x[3], 3, 0));
+}
+
+/* A rod of two spheres over a plane, as an engine moves it that turns bodies inexactly. */
+struct Rod {
+  static constexpr double R = 0.5, DT = 0.01;
+  Alone engine;
+  std::unique_ptr<Wall> wall;
+  Grains none;
+  Bodies bodies;
+
+  Rod(const char *law, double height)
+      : wall(make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), law)),
+        none(0, R, DT) {
+    Body rod = Body();
+    rod.count = 2;
+    rod.mass = 1;
+    rod.inertia[0] = 0.4 * R * R;
+    rod.inertia[1] = rod.inertia[2] = 1.4 * R * R;
+    rod.x[2] = height;
+    for (int d = 0; d < 3; d++)
+      rod.axes[d][d] = 1;
+    bodies.all.push_back(rod);
+    bodies.spheres = {BodySphere{{-R, 0, 0}, R, 1, 1, 1}, BodySphere{{R, 0, 0}, R, 1, 1, 2}};
+    bodies.dt = DT;
+    none.begin({wall.get()});
+  }
+  Body &body() {
+    return bodies.all[0];
+  }
+  void begin_run() {
+    bodies.begins = true;
+    claim_bodies(none.steppers(), bodies, MPI_COMM_WORLD);
+  }
+  double count() const {
+    return wall->books.counter(Books::N_IMPACTS);
+  }
+  void fly(int steps) {
+    for (int k = 0; k < steps; k++) {
+      double omega[3];
+      bodies.step++;
+      aspi_add_scaled(body().x, DT, body().v, body().x);
+      spin_of(body(), omega);
+      turn_by(omega, DT, body().axes);
+      body().is_changed = false;
+      step_walls(none.steppers(), none.spheres(), &bodies);
+      end_walls(none.steppers(), none.spheres(), &bodies);
+    }
+  }
+};
+
+/* A body that meets nothing keeps the engine's turn to the bit, in the second part of a run, too.
+ */
+void walls_turn_no_body_that_they_do_not_touch(void **) {
+  Rod s(DULL, 1.001), alone(DULL, 1000);
+  for (Rod *rod : {&s, &alone}) {
+    for (int d = 0; d < 3; d++)
+      rod->body().angular_momentum[d] = (d + 1) * 0.3 * Rod::R * Rod::R / Rod::DT;
+    rod->begin_run();
+    rod->fly(20);
+    rod->begin_run();
+    rod->fly(20);
+  }
+  assert_true(near(s.count(), 0, 0));
+  assert_memory_equal(s.body().axes, alone.body().axes, sizeof s.body().axes);
+}
+
+/* A stuck body that a command has moved is free, with a warning. */
+void commands_free_bodies_that_they_move(void **) {
+  for (double moved : {0., 0.3}) {
+    Rod s(STICKY, 0.51);
+    s.body().v[2] = -2;
+    s.begin_run();
+    s.fly(2);
+    assert_true(s.wall->stuck() == 1);
+    s.body().x[2] += moved;
+    s.begin_run();
+    s.fly(2);
+    assert_true(near(s.body().x[2], 0.5 + moved, 1e-9));
+    assert_true(near(s.wall->stuck(), moved > 0 ? 0 : 1, 0));
+    const bool told = strstr(s.engine.warned.c_str(), "bodies that a command has moved");
+    assert_true(told == (moved > 0));
+  }
 }
 
 /* A grain that a command has put deep into a wall is put onto it, and counted. */
@@ -221,6 +303,8 @@ int main(int argc, char **argv) {
       cmocka_unit_test(steps_may_change_their_length),
       cmocka_unit_test(groups_end_rests),
       cmocka_unit_test(commands_free_what_they_move),
+      cmocka_unit_test(walls_turn_no_body_that_they_do_not_touch),
+      cmocka_unit_test(commands_free_bodies_that_they_move),
       cmocka_unit_test(overlaps_at_rest_are_guarded),
       cmocka_unit_test(removed_deposits_are_free),
       cmocka_unit_test(blown_up_velocities_are_told),

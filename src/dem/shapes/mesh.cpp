@@ -29,7 +29,11 @@ double same_instant(const ContactTouch &touch, const ContactPath &path, double r
 
 } // namespace
 
-MeshShape::MeshShape() : tree_(NULL, aspi_tree_free), period_(), swept_() {}
+MeshShape::MeshShape() : tree_(NULL, aspi_tree_free), period_(), swept_(), near_() {}
+
+MeshShape::~MeshShape() {
+  aspi_places_free(&near_);
+}
 
 void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
                               const std::vector<int> &id) {
@@ -44,7 +48,6 @@ void MeshShape::put_tree(ContactTree *tree) {
   if (!tree)
     throw std::bad_alloc();
   tree_.reset(tree);
-  found_.is_set = false;
 }
 
 Bounds MeshShape::whole() const {
@@ -112,37 +115,15 @@ void MeshShape::local_path(const Path &path, const Shift &shift, ContactPath &lo
   aspi_scale(1 / path.left, local.v);
 }
 
-/* All triangles that meet a box within `reach` of its middle, and some that only come near it: the
- * list of a slightly larger region is kept, because a particle is searched again nearby. */
-const ContactList &MeshShape::meet(const Bounds &box, double reach, double margin) const {
-  if (found_.has(box, reach))
-    return found_.list;
-  Bounds wide = box;
-  for (int d = 0; d < 3; d++) {
-    wide.lo[d] -= margin;
-    wide.hi[d] += margin;
-  }
+/* The triangles that meet a box within `reach` of its middle, in order of their numbers. */
+const ContactList &MeshShape::meet(const Bounds &box, double reach) const {
   const ContactTree *tree = tree_.get();
-  found_.is_set = false;
-  found_.box = wide;
-  found_.reach = reach + margin;
-  found_.list.count = 0;
-  if (!aspi_tree_meet(tree, wide.lo, wide.hi, found_.reach, &found_.list))
+  near_.count = 0;
+  if (!aspi_tree_meet(tree, box.lo, box.hi, reach, &near_))
     throw std::bad_alloc();
-  std::sort(found_.list.item, found_.list.item + found_.list.count,
+  std::sort(near_.item, near_.item + near_.count,
             [tree](int a, int b) { return aspi_tree_id(tree, a) < aspi_tree_id(tree, b); });
-  found_.is_set = true;
-  return found_.list;
-}
-
-/* True if all of a region is in that of the list. */
-bool MeshShape::Meeting::has(const Bounds &inner, double inner_reach) const {
-  double apart[3];
-  if (!is_set || !box.has(inner))
-    return false;
-  for (int d = 0; d < 3; d++)
-    apart[d] = 0.5 * (inner.lo[d] + inner.hi[d] - box.lo[d] - box.hi[d]);
-  return aspi_length(apart) + inner_reach <= reach;
+  return near_;
 }
 
 /* Cuts the times from..to to those at which the sphere may meet the box of the triangles. */
@@ -174,7 +155,7 @@ bool MeshShape::find_image(const ContactPath &local, double radius, double from,
     const double to = std::min(from + piece, most);
     const double way = speed * (to - from);
     const ContactList &list = meet(Bounds::of_path(local.x, local.v, from, to, 1.001 * radius),
-                                   1.001 * radius + 0.5 * way, std::min(way, radius));
+                                   1.001 * radius + 0.5 * way);
     if (list.count > MANY && piece > least) {
       piece = std::max(least, piece / 4);
       continue;

@@ -50,6 +50,7 @@ private:
 class MeshShape : public Shape {
 public:
   MeshShape();
+  ~MeshShape() override;
 
   /* The triangles in the mesh's own frame, and their numbers. Throws std::bad_alloc. */
   void set_triangles(const std::vector<ContactTriangle> &triangles, const std::vector<int> &id);
@@ -112,18 +113,6 @@ private:
   struct Places {
     int piece, face;
   };
-  /* The triangles that meet a box within `reach` of its middle, in order of their numbers. */
-  struct Meeting {
-    ContactList list;
-    Bounds box;
-    double reach;
-    bool is_set;
-    Meeting() : list(), box(), reach(0), is_set(false) {}
-    bool has(const Bounds &inner, double inner_reach) const;
-    ~Meeting() {
-      aspi_places_free(&list);
-    }
-  };
 
   Bounds swept() const;
   double period_of(const Path &path) const;
@@ -137,7 +126,7 @@ private:
   const std::vector<Shift> &images_ahead(const Course &course, double &steps) const;
   void local_path(const Path &path, const Shift &shift, ContactPath &local) const;
   void put_tree(ContactTree *tree);
-  const ContactList &meet(const Bounds &box, double reach, double margin) const;
+  const ContactList &meet(const Bounds &box, double reach) const;
   bool clip(const ContactPath &local, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &local, double radius, double from, double latest,
                   ContactTouch &touch, Places &place) const;
@@ -153,7 +142,7 @@ private:
   double period_[3];                  /* 0 along an axis that is not periodic */
   Bounds swept_;                      /* around the mesh in this step */
   mutable std::vector<Shift> shifts_; /* what images() has found */
-  mutable Meeting found_;
+  mutable ContactList near_;          /* what meet() has found */
 };
 
 } // namespace asperity

@@ -40,13 +40,11 @@ Spheres Bodies::bounds() {
 
 /* Bodies are as the engine has them: it may have chosen other axes, and a body that is stuck to a
  * shape that is gone stays where it is. */
-static void begin_run(Stepper &wall, Bodies &bodies, bool is_first) {
+static void begin_run(Stepper &wall, Bodies &bodies) {
   wall.bodies.begin_run(wall.setup, bodies.bounds());
   for (size_t b = 0; b < bodies.all.size(); b++) {
     const Mover mover(bodies, static_cast<int>(b));
     const Body &body = bodies.all[b];
-    if (is_first)
-      wall.body_rows.set_attitude(mover.i, bodies.step, body.axes);
     if (!wall.body_rows.is_stuck(mover.i))
       continue;
     Stuck &at = wall.body_rows.stuck(mover.i);
@@ -72,8 +70,10 @@ void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies,
   for (Stepper *wall : walls) {
     wall->body_rows.claim(tags, world);
     if (bodies.begins)
-      begin_run(*wall, bodies, wall == walls[0]);
+      begin_run(*wall, bodies);
     wall->bodies.list(bodies.bounds(), wall->setup.groupbit);
+    if (bodies.begins)
+      wall->free_displaced(bodies, 0);
   }
 }
 
@@ -147,12 +147,6 @@ void asperity::turn_free(const double inertia[3], const double momentum[3], doub
 void asperity::advance(Body &body, double time) {
   turn_free(body.inertia, body.angular_momentum, time, body.axes);
   aspi_add_scaled(body.x, time, body.v, body.x);
-}
-
-void asperity::arm_of(const Body &body, const BodySphere &sphere, double arm[3]) {
-  for (int d = 0; d < 3; d++)
-    arm[d] = sphere.arm[0] * body.axes[0][d] + sphere.arm[1] * body.axes[1][d] +
-             sphere.arm[2] * body.axes[2][d];
 }
 
 void asperity::spin_of(const Body &body, double omega[3]) {

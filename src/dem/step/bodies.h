@@ -66,9 +66,6 @@ void turn_free(const double inertia[3], const double momentum[3], double time, d
 /* Moves a free body straight, and turns it. */
 void advance(Body &body, double time);
 
-/* From the center of mass to the center of a sphere. */
-void arm_of(const Body &body, const BodySphere &sphere, double arm[3]);
-
 /* Angular velocity from angular momentum, and back. */
 void spin_of(const Body &body, double omega[3]);
 void momentum_of(const Body &body, const double omega[3], double momentum[3]);

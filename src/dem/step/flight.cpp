@@ -16,10 +16,6 @@ namespace {
 /* ROUNDING of the normals of one face, which may be curved. */
 const double TURNED = 0.01;
 
-/* The largest turn of a body's step, rad, by which the engine may differ from a free motion: from
- * there on the engine's is none. */
-const double LIFT = 1e-3;
-
 /* The angular velocity that turns axes into others in a time, by less than half a turn. */
 void turn_between(const double from[3][3], const double to[3][3], double time, double omega[3]) {
   double trace = 0, sine[3] = {0, 0, 0};
@@ -39,7 +35,7 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
 /* ---- the path ---------------------------------------------------------------------------------
  */
 
-Flight::Flight(Mover &m, const Movers &movers, const Instant &now, Stepper &first)
+Flight::Flight(Mover &m, const Movers &movers, const Instant &now)
     : mover(m), dt(movers.dt), step(movers.step), is_led(true), squeezed(false),
       searches_all(m.body), is_apart(false), way(0), series_begin(0) {
   path.left = path.dt = stretch = dt;
@@ -57,26 +53,20 @@ Flight::Flight(Mover &m, const Movers &movers, const Instant &now, Stepper &firs
   for (int d = 0; d < 3; d++)
     turning[d] = lift[d] = settled[d] = 0;
   if (m.body)
-    turn_back(first);
+    turn_back();
 }
 
-/* The axes of a body at the beginning of the step. */
-void Flight::turn_back(const Stepper &first) {
-  const Body &body = *mover.body;
-  Body start = body;
-  aspi_copy(body.angular_momentum, momentum);
+/* The axes from which a free turn leads to those that the engine has given the body. Its own turn
+ * is less exact: the difference counts as one of the beginning, so that the path ends where a body
+ * that meets no wall stays. */
+void Flight::turn_back() {
+  double start[3][3];
+  memcpy(start, mover.axes, sizeof start);
+  turn_free(mover.body->inertia, mover.body->angular_momentum, -dt, start);
+  aspi_copy(mover.body->angular_momentum, momentum);
   aspi_scale(1 / mover.mass, momentum);
-  const Memory *memory = first.body_rows.find(mover.i);
-  if (memory && !memory->attitude.empty() && static_cast<int64_t>(memory->attitude[0].step) == step)
-    memcpy(start.axes, memory->attitude[0].axes, sizeof start.axes);
-  else
-    turn_free(start.inertia, start.angular_momentum, -dt, start.axes);
-  mover.set_axes(start.axes);
+  mover.set_axes(start);
   mover.spin_of(momentum, spin);
-  turn_free(start.inertia, start.angular_momentum, dt, start.axes);
-  turn_between(start.axes, body.axes, dt, lift); /* what the engine's step differs by */
-  if (aspi_length(lift) * dt > LIFT)
-    aspi_copy(NONE, lift);
 }
 
 /* At a time since the beginning of the path. */
@@ -106,7 +96,7 @@ Path Flight::path_of(size_t k) const {
   return its;
 }
 
-/* The axes of a body that no wall and no rounding turns, after a time. */
+/* The axes of a body that no wall turns, after a time. */
 void Flight::turn_alone(double time, double to[3][3]) const {
   double whole[3] = {0, 0, 0};
   memcpy(to, mover.axes, sizeof mover.axes);

@@ -32,7 +32,7 @@ struct Flight {
 
   /* Of a body. turning, stretch: angular velocity of this stretch of its path, and how long that
    * takes. momentum: angular, per mass. lift: extra angular velocity of the path only, by walls
-   * that it follows and by the engine's rounding. */
+   * that it follows. */
   double turning[3], stretch, momentum[3], lift[3];
   bool is_led; /* no wall has changed its way */
 
@@ -52,8 +52,8 @@ struct Flight {
   size_t series_begin;
   double series_spin[3];
 
-  /* A mover as the engine has moved it. first: of the run's walls. */
-  Flight(Mover &mover, const Movers &movers, const Instant &now, Stepper &first);
+  /* A mover as the engine has moved it. */
+  Flight(Mover &mover, const Movers &movers, const Instant &now);
 
   double elapsed() const {
     return dt - path.left;
@@ -84,7 +84,7 @@ struct Flight {
   void trap();
 
 private:
-  void turn_back(const Stepper &first);
+  void turn_back();
   void act_along(const double n[3], double ahead[3]) const;
   void turn_alone(double time, double to[3][3]) const;
   Held &add_sustained(const Touch &touch, double hold);

@@ -133,13 +133,6 @@ int64_t BodyMemories::read(const std::vector<double> &all, size_t &at, MoverStat
   return tag;
 }
 
-void BodyMemories::set_attitude(int b, int64_t step, const double axes[3][3]) {
-  std::vector<Attitude> &now = own(b).attitude;
-  now.resize(1);
-  now[0].step = static_cast<double>(step);
-  memcpy(now[0].axes, axes, sizeof now[0].axes);
-}
-
 std::vector<double> BodyMemories::pack() const {
   std::vector<double> all = waiting_;
   for (size_t b = 0; b < tags_.size(); b++)

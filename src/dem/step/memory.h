@@ -73,19 +73,13 @@ struct FacePlace {
  * into it, as long as the valley is not drawn. */
 const double AT_BOTTOM = 0, TO_DRAW = 1;
 
-/* A body's axes at the beginning of a step. */
-struct Attitude {
-  double step, axes[3][3];
-};
-
 struct Memory {
   double draws;   /* of valleys, and of faces that it met while it rested */
   double free[3]; /* where it rests, its acceleration without walls at the end of the last step */
   std::vector<FacePlace> faces;
-  std::vector<Rest> rests;        /* those of status RESTING */
-  std::vector<Rebound> rebound;   /* one, of status REBOUNDED */
-  std::vector<Stuck> stuck;       /* one, of status STUCK or TO_DELETE */
-  std::vector<Attitude> attitude; /* one, of a body at the first wall of a run */
+  std::vector<Rest> rests;      /* those of status RESTING */
+  std::vector<Rebound> rebound; /* one, of status REBOUNDED */
+  std::vector<Stuck> stuck;     /* one, of status STUCK or TO_DELETE */
 
   Memory() : draws(0), free() {}
 
@@ -95,7 +89,6 @@ struct Memory {
     of(rests);
     of(rebound);
     of(stuck);
-    of(attitude);
   }
 };
 
@@ -197,8 +190,6 @@ public:
     return all;
   }
 
-  void set_attitude(int b, int64_t step, const double axes[3][3]);
-
 private:
   static void write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
                     std::vector<double> &to);
@@ -215,10 +206,9 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
-const int PACKED_MOST =
-    10 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
-                           (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
-                          sizeof(double));
+const int PACKED_MOST = 9 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
+                                              (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
+                                             sizeof(double));
 static_assert(sizeof(Rebound) <= sizeof(Stuck),
               "the longest list is that of a stuck or resting one");
 

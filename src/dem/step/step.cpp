@@ -369,56 +369,20 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   return true;
 }
 
-/* True if a grain's path meets one of these walls: those of most that are near do not. */
-static bool meets(const Walls &near, const Spheres &s, int i) {
-  const size_t at = 3 * static_cast<size_t>(i);
-  Path path;
-  Contact contact;
-  path.left = path.dt = s.dt;
-  path.rest = 0;
-  aspi_copy(s.v + at, path.v);
-  aspi_add_scaled(s.x + at, -s.dt, path.v, path.x);
-  for (const Stepper *wall : near)
-    for (const Member &member : wall->setup.shapes)
-      if (member.shape->find(path, s.radius[i], s.dt, contact))
-        return true;
-  return false;
-}
-
-/* Where the engine's turn of a body differs from the one that was searched, the body takes that. */
-static void apply_rotation(Flight &flight, const Movers &movers) {
-  const Mover &mover = flight.mover;
-  const Body &body = *mover.body;
-  double off = 0;
-  flight.go_on(flight.path.left);
-  for (size_t k = 0; k < mover.count; k++) {
-    double searched[3], arm[3];
-    mover.arm(k, searched);
-    arm_of(body, mover.sphere[k], arm);
-    aspi_subtract(searched, arm, arm);
-    off = std::max(off, aspi_length(arm));
-  }
-  if (off > OVERLAP * mover.sphere->radius)
-    movers.place(mover, body.x);
-}
-
 /* All contacts of a mover. */
 static void fly_one(const Walls &walls, const Walls &near, const Movers &movers, int i) {
   const Spheres *grains = movers.grains;
-  if (grains ? !meets(near, *grains, i) : movers.bodies->all[static_cast<size_t>(i)].is_led)
+  if (!grains && movers.bodies->all[static_cast<size_t>(i)].is_led)
     return;
   Mover mover(movers, i);
   Instant now;
   movers.read(mover, now);
   movers.read_rates(mover, now);
-  Flight flight(mover, movers, now, *walls[0]);
+  Flight flight(mover, movers, now);
   Touch stuck;
   const double most = grains ? Ahead::bend(grains->radius[i]) / movers.dt : 0;
-  if (!fly(walls, grains ? near : walls, flight, most, stuck)) {
-    if (!mover.is_ball)
-      apply_rotation(flight, movers);
+  if (!fly(walls, grains ? near : walls, flight, most, stuck))
     return;
-  }
   for (const Impact &impact : flight.impacts)
     impact.wall->books.count(impact);
   if (stuck.wall) {
@@ -468,7 +432,5 @@ void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bo
   if (!bodies)
     return;
   step_movers(walls, *bodies);
-  for (size_t b = 0; b < bodies->all.size(); b++)
-    walls[0]->body_rows.set_attitude(static_cast<int>(b), bodies->step + 1, bodies->all[b].axes);
   bodies->begins = false;
 }

@@ -74,9 +74,9 @@ struct Stepper {
    * empty otherwise. */
   void begin_run(const Spheres &spheres, const std::vector<int> &shape_now);
 
-  /* At the beginning of a run: frees stuck particles that a command has moved from where the wall
-   * has them. moved: for which time the engine has moved all since. How many, of this rank. */
-  int free_displaced(const Spheres &spheres, double moved);
+  /* At the beginning of a run: frees stuck movers that a command has moved from where the wall has
+   * them, with a warning. moved: for which time the engine has moved all since. Collective. */
+  void free_displaced(const Movers &movers, double moved);
 
   /* Discards what is known of the ways ahead. */
   void clear_ahead() {

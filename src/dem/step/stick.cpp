@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "contact/vector.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
@@ -111,25 +112,33 @@ void asperity::freeze(const Touch &touch, const Mover &mover, const Movers &move
   carry(*touch.wall, movers, mover.i, left);
 }
 
-int Stepper::free_displaced(const Spheres &s, double moved) {
-  int count = 0;
-  for (const StuckOne &one : grains.stuck) {
-    Stuck at = rows.stuck(one.i);
-    const size_t row = 3 * static_cast<size_t>(one.i);
-    const double radius = s.radius[one.i];
+void Stepper::free_displaced(const Movers &movers, double moved) {
+  Population &of = movers.members(*this);
+  int mine = 0, all;
+  for (const StuckOne &one : of.stuck) {
+    Stuck at = of.rows.stuck(one.i);
+    const Mover mover(movers, one.i);
+    const size_t anchor = mover.anchor(at);
+    const double radius = mover.sphere[anchor].radius;
+    Instant now;
     double x[3], on_wall[3];
-    aspi_copy(s.x + row, x);
-    aspi_add_scaled(x, -moved, s.v + row, x);
-    follow(*this, at, x, radius, 0, s.dt, false, on_wall);
+    movers.read(mover, now);
+    mover.arm(anchor, x);
+    aspi_add_scaled(x, 1, now.x, x);
+    aspi_add_scaled(x, -moved, now.v, x);
+    follow(*this, at, x, radius, 0, movers.dt, false, on_wall);
     aspi_subtract(on_wall, x, on_wall);
     if (!(aspi_length(on_wall) > DISPLACED * radius))
       continue;
-    rows.forget(one.i);
-    count++;
+    of.rows.forget(one.i);
+    mine++;
   }
-  if (count > 0)
-    grains.list(s, setup.groupbit);
-  return count;
+  if (mine > 0)
+    of.list(movers.bounds(), setup.groupbit);
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, setup.engine.world());
+  if (all > 0)
+    setup.engine.warn(text("stuck %s that a command has moved from their place: %d; they are free",
+                           movers.bodies ? "bodies" : "particles", all));
 }
 
 static inline uint64_t bits(const double *x) {
