@@ -150,7 +150,8 @@ typedef struct asp_impact {
  * body, v1 and v2 are the velocity of its center of mass, and every law changes its spin; u = v1 +
  * omega x lever must approach (u.n < 0). Afterwards u leaves the wall, but v2 may not. A wall with
  * `grain lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG if
- * the law needs a pair and neither particle nor wall has one; velocity and spin are then unchanged.
+ * the law needs a pair and neither particle nor wall has one, ASP_ERANGE if `viscosity` or
+ * `soften_modulus` does not hold at the temperature; velocity and spin are then unchanged.
  * Where a number of the particle, v1 or n is not finite, v2 is NAN in a rebound without hits. */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact);
@@ -241,8 +242,9 @@ asp_wall *asp_wall_create(const asp_description *description, double d_least, do
                           asp_error *error);
 bool asp_description_needs_sizes(const asp_description *description);
 
-/* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay, as the sphere
- * closes the surface, or with `plane` a disc the profile; 0 on a smooth wall. */
+/* The rms slope of the wall's tilt for spheres of diameter d_p, across its lay: with `isotropic` of
+ * the sphere, with `plane` of the disc, by the formulas of src/wall/models.md; 0 on a smooth
+ * wall. */
 double asp_wall_slope(const asp_wall *wall, double d_p);
 
 /* ---- heights of a measured wall -------------------------------------------------------------- */

@@ -169,6 +169,13 @@ typedef struct asp_removal {
 asp_removal asp_wall_removal(const asp_wall *wall, const asp_particle *particle,
                              const asp_key *key);
 
+/* The probability with which an impact of a particle sticks by its viscosity (`deposit freeze
+ * viscosity`), besides what the law holds; 0 on a wall without. temperature: its own, K; 0: the
+ * description's. ASP_ERANGE and a message if the wall's curves do not hold there; an impact then
+ * returns this code, too, and the particle keeps its velocity. share may be NULL. */
+asp_code asp_wall_sticking(const asp_wall *wall, double temperature, double *share,
+                           asp_error *error);
+
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif

@@ -5,7 +5,8 @@ pictures of a dump (with the `step`), of the thermo output in a log, or of bare 
 name (`row.cor_n`, `row['f_wall[1]']`) or number (`row[0]`); an empty one is nan. A failed `assert` ends with status 1, and
 says the line and the values of its names.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import math
 import re
 import sys

@@ -1,7 +1,8 @@
 """Figure 13 of Altmeppen et al. (2020) in Python: the scatter of the coefficients of restitution over
 the impact angle. Each part between the lines %% is a cell, for editors that know them.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 # %% The wall and the particles. The spread is the paper's; without its words it is the default.
 import matplotlib

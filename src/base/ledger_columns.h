@@ -55,7 +55,8 @@
   COLUMN(BODY, "body", "i", "number of the body that the particle is part of, from 1; 0: none")    \
   COLUMN(LEVER_X, "lever_x", "f", "from the body's center of mass to the particle's center, x")    \
   COLUMN(LEVER_Y, "lever_y", "f", "the same, y")                                                   \
-  COLUMN(LEVER_Z, "lever_z", "f", "the same, z")
+  COLUMN(LEVER_Z, "lever_z", "f", "the same, z")                                                   \
+  COLUMN(TEMPERATURE, "temperature", "f", "temperature of the particle, K; 0: unknown")
 
 /* Places in a row, from 0: LEDGER_TAG, ... */
 #define LEDGER_PLACE(ID, name, type, text) LEDGER_##ID,

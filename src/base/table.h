@@ -89,8 +89,6 @@ void aspi_plain(const char *name, char *to, size_t size);
  * of which the second has their units. */
 asp_code aspi_table_parse_names(aspi_table *table, int least, asp_error *error);
 
-#define aspi_table_no_memory(table, error)                                                         \
-  aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", (table)->text.path,         \
-            (table)->text.line)
+asp_code aspi_table_no_memory(const aspi_table *table, asp_error *error);
 
 #endif

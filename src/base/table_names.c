@@ -12,6 +12,11 @@
 #include <string.h>
 #include <strings.h>
 
+asp_code aspi_table_no_memory(const aspi_table *t, asp_error *error) {
+  return aspi_fail(error, ASP_ENOMEM, "%.200s:%zu: out of memory for a line", t->text.path,
+                   t->text.line);
+}
+
 void aspi_plain(const char *name, char *to, size_t size) {
   static const char *const written[][2] = {
       {"\xC2\xB0", "_deg"},  {"\xC2\xB5", "u"},        {"\xCE\xBC", "u"},

@@ -34,6 +34,8 @@ static const aspi_unit known[] = {
     {"speed", "km/s", 3, 1, 0, true},
     {"length2/time", "m2/s m^2/s", 0, 1, 0, true},
     {"length2/time", "mm2/s mm^2/s", -6, 1, 0, true},
+    {"viscosity", "Pa*s Pa.s", 0, 1, 0, true},
+    {"viscosity", "P", -1, 1, 0, true},
     {"stress", "Pa", 0, 1, 0, true},
     {"stress", "kPa", 3, 1, 0, true},
     {"stress", "MPa", 6, 1, 0, true},
@@ -76,6 +78,7 @@ static const struct {
     {"length", 1, 0, 0},        {"speed", 1, 0, -1},       {"stress", -1, 1, -2},
     {"density", -3, 1, 0},      {"energy/area", 0, 1, -2}, {"stress/speed", -2, 1, -1},
     {"length2/time", 2, 0, -1}, {"mass", 0, 1, 0},         {"rate", 0, 0, -1},
+    {"viscosity", -1, 1, -1},
 };
 
 static double power(double base, int exponent) {

@@ -26,10 +26,11 @@ enum { CAPTURE_POINTS = 61 };
 typedef struct scene {
   cli_description wall;
   cli_list speeds, sizes; /* of a log-normal law ln has the sd ln(most/least)/5 */
+  cli_list heats;         /* temperatures, K; without --temperature one 0: by the description */
 } scene;
 
 typedef struct row {
-  double d_p, alpha1;
+  double d_p, alpha1, kelvin;
   cli_impact of;
 } row;
 
@@ -47,30 +48,36 @@ static double sample_of(const cli_list *v, size_t sample, aspi_stream *stream) {
   }
 }
 
-/* Combinations of the sizes and speeds of lists. */
+static size_t count_of(const cli_list *v) {
+  return v->count ? v->count : 1;
+}
+
+/* Combinations of the sizes, speeds and temperatures of lists. */
 static size_t count_groups(const scene *s) {
-  return (s->sizes.count ? s->sizes.count : 1) * (s->speeds.count ? s->speeds.count : 1);
+  return count_of(&s->sizes) * count_of(&s->speeds) * count_of(&s->heats);
 }
 
 /* One impact at an angle in degrees. */
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) {
   asp_key key = {asp_wall_seed(s->wall.wall), asp_key_wall("cor"), tag, 0, 0};
   aspi_stream stream = aspi_stream_begin(&key);
-  size_t sizes = s->sizes.count ? s->sizes.count : 1;
+  size_t sizes = count_of(&s->sizes), speeds = count_of(&s->speeds);
   row r = {.d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
   double speed = sample_of(&s->speeds, sample / sizes, &stream);
+  r.kelvin = sample_of(&s->heats, sample / sizes / speeds, &stream);
   key.impact = 1;
-  r.of = cli_impact_at(&s->wall, r.d_p, speed, angle, &key);
+  r.of = cli_impact_at(&s->wall, r.d_p, speed, r.kelvin, angle, &key);
   return r;
 }
 
 static void print_row(FILE *out, const row *r) {
   const asp_impact *i = &r->of.impact;
   const asp_coefficients *c = &r->of.cor;
-  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g\n", r->d_p * 1e6, c->v1,
+  cli_row(out, "%.6g,%.6g,%.6g,%.6g,%d,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g", r->d_p * 1e6, c->v1,
           r->alpha1, aspi_degrees(i->delta_alpha), i->hits, c->cor_v, c->cor_alpha, c->cor_n,
           c->cor_t, i->outcome == ASP_DEPOSIT ? "deposit" : "rebound", c->cor_v_space,
           c->cor_alpha_space);
+  fprintf(out, r->kelvin > 0 ? ",%.6g\n" : "\n", r->kelvin);
 }
 
 #define PRINT_NAME(ID, name, type, text) fputs(LEDGER_##ID ? "," name : name, out);
@@ -97,14 +104,15 @@ static void print_ledger_row(FILE *out, const row *r, size_t tag) {
   }
 }
 
-static void print_header(FILE *out, bool as_ledger) {
+static void print_header(FILE *out, bool as_ledger, bool has_heats) {
   if (as_ledger) {
     LEDGER_COLUMNS(PRINT_NAME)
     fputc('\n', out);
   } else {
-    fputs("dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v_plane,cor_alpha_plane,cor_n,cor_t,"
-          "outcome,cor_v_space,cor_alpha_space\n",
-          out);
+    fprintf(out,
+            "dp_um,v1_m_s,alpha1_deg,delta_alpha_deg,hits,cor_v_plane,cor_alpha_plane,cor_n,cor_t,"
+            "outcome,cor_v_space,cor_alpha_space%s\n",
+            has_heats ? ",temperature_k" : "");
   }
 }
 
@@ -136,14 +144,14 @@ static double value_of_group(const cli_list *list, size_t index, double factor) 
   return list->count ? list->values[index % list->count] * factor : NAN;
 }
 
-/* Per angle, speed and size: share of deposits; mean and sd of rebounds. */
+/* Per angle, temperature, speed and size: share of deposits; mean and sd of rebounds. */
 static void print_summary(FILE *out, const scene *s, const cli_list *angles, const sums *of,
                           bool erodes) {
-  size_t groups = count_groups(s), sizes = s->sizes.count ? s->sizes.count : 1;
+  size_t groups = count_groups(s), sizes = count_of(&s->sizes), speeds = count_of(&s->speeds);
   fprintf(out,
           "dp_um,v1_m_s,alpha1_deg,impacts,capture_share,n,cor_n_mean,cor_n_sd,cor_t_mean,"
-          "cor_t_sd%s\n",
-          erodes ? ",eroded_mean,eroded_sd" : "");
+          "cor_t_sd%s%s\n",
+          erodes ? ",eroded_mean,eroded_sd" : "", s->wall.has_own_heat ? ",temperature_k" : "");
   for (size_t i = 0; i < angles->count * groups; i++) {
     const sums *one = &of[i];
     cli_row(out, "%.6g,%.6g,%.6g,%zu,%.6g,%zu", value_of_group(&s->sizes, i % groups, 1e6),
@@ -154,7 +162,8 @@ static void print_summary(FILE *out, const scene *s, const cli_list *angles, con
     print_moments(out, &one->cor_t);
     if (erodes)
       print_moments(out, &one->eroded);
-    fputc('\n', out);
+    double kelvin = value_of_group(&s->heats, i % groups / sizes / speeds, 1);
+    fprintf(out, kelvin > 0 ? ",%.6g\n" : "\n", kelvin);
   }
 }
 
@@ -222,9 +231,18 @@ static void check_grid(const char *option, const cli_list *list) {
                     list->values[i], list->values[i - 1]);
 }
 
-/* The sizes and speeds, or their defaults. */
+/* The sizes, speeds and temperatures, or their defaults. */
 static scene read_scene(cli_call *call, bool capture) {
-  scene s = {.wall = cli_description_read(call->n_words, call->words, false)};
+  static double none[] = {0};
+  scene s = {.wall = cli_description_read(call->n_words, call->words, false),
+             .heats = {.values = none, .count = 1}};
+  s.wall.has_own_heat = cli_value(call, "temperature");
+  if (s.wall.has_own_heat)
+    s.heats = cli_values(cli_get(call, "temperature"), "K", 1, 1e5);
+  if (s.wall.has_own_heat && (capture || s.heats.count == 0))
+    cli_bad_usage(capture ? "--temperature is given with --capture; say 'temperature T' behind "
+                            "'rebound LAW' instead"
+                          : "--temperature takes a list");
   cli_default(call, "dp", capture ? NULL : "10um");
   cli_default(call, "speed", capture ? NULL : "100");
   cli_default(call, "angles", capture ? "90" : "1:90:1");
@@ -253,12 +271,15 @@ static void run(cli_call *call) {
   size_t samples = cli_whole(cli_get(call, "samples"), 1, 100000000) * count_groups(&s);
   cli_description_make(&s.wall, s.sizes.least, s.sizes.most);
   cli_description_doubt_angles(&s.wall, &angles);
+  for (size_t i = 0; i < s.heats.count; i++)
+    if (asp_wall_sticking(s.wall.wall, s.heats.values[i], NULL, &cli_error))
+      cli_bad_usage("--temperature: %s", cli_error.text);
   FILE *out = cli_table_open(call, s.wall.text);
   sink to = {.rows = summary ? NULL : out, .as_ledger = as_ledger};
   if (summary)
     to.sums = cli_allocate(angles.count * count_groups(&s), sizeof *to.sums);
   else
-    print_header(out, as_ledger);
+    print_header(out, as_ledger, s.wall.has_own_heat);
   draw(&s, &angles, samples, &to);
   if (summary)
     print_summary(out, &s, &angles, to.sums, asp_description_is_given(s.wall.words, "erosion"));
@@ -268,10 +289,11 @@ static void run(cli_call *call) {
 static const cli_option options[] = {
     {"dp", "SIZES", "diameters: a list, or lognormal:min:max:median [10um]", NULL},
     {"speed", "SPEEDS", "in m/s: a list, or lognormal:min:max:median [100]", NULL},
+    {"temperature", "KELVIN", "of the particles: a list [by the description]", NULL},
     {"angles", "DEGREES", "impact angles: a list [1:90:1]", NULL},
-    {"samples", "N", "impacts per angle, size and speed", "100"},
-    {"summary", NULL, "mean, sd and capture share per angle, size and speed instead of impacts",
-     NULL},
+    {"samples", "N", "impacts per angle, size, speed and temperature", "100"},
+    {"summary", NULL,
+     "mean, sd and capture share per angle, size, speed and temperature instead of impacts", NULL},
     {"capture", NULL, "the share that sticks, over diameter and speed at one angle", NULL},
     {"columns", "own|ledger", "columns of the rows: the command's own, or those of a wall's ledger",
      "own"},
@@ -284,6 +306,7 @@ static const char detail[] =
     "(alpha2 from 0 to 180 degrees); cor_v_space and cor_alpha_space refer to the velocity\n"
     "in space (alpha2 from 0 to 90). At normal impact cor_t is undefined and empty,\n"
     "and so are cor_n and cor_alpha of a particle that slides.\n"
+    "--temperature adds a last column, temperature_k.\n"
     "--summary has one row per angle, size and speed instead: the number of impacts, the\n"
     "share that sticks, and mean and sd of the coefficients of the n that rebound; with\n"
     "`erosion` also mean and sd of the mass worn off the wall per mass of particles, over\n"

@@ -74,7 +74,6 @@ cli_description cli_description_read(int count, char **words, bool fittable) {
   check_units(count, words);
   read_words(d.words, count, words);
   check_removal(d.words);
-  cli_must(!asp_description_check_heat(d.words, false, &cli_error));
   read_materials(&d);
   d.text = cli_description_text(d.words);
   return d;
@@ -125,6 +124,7 @@ void cli_description_doubt(const cli_description *d, double d_least, double d_mo
 }
 
 void cli_description_make(cli_description *d, double d_least, double d_most) {
+  cli_must(!asp_description_check_heat(d->words, d->has_own_heat, &cli_error));
   d->wall = cli_made(asp_wall_create(d->words, d_least, d_most, &cli_error));
   const asp_surface *surface = asp_wall_surface(d->wall);
   if (surface && asp_surface_check(surface, d_most, &cli_error))
@@ -153,12 +153,13 @@ double cli_description_shrink(const cli_description *d, const asp_surface *surfa
   return choice.has_lay ? 1 + (ratio * ratio - 1) * choice.lay[0] * choice.lay[0] : 1;
 }
 
-cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double degrees,
-                         const asp_key *key) {
+cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double kelvin,
+                         double degrees, const asp_key *key) {
   static const double n[3] = {0, 0, 1};
   double alpha = aspi_radians(degrees);
   double v1[3] = {degrees < 90 ? speed * cos(alpha) : 0, 0, -speed * sin(alpha)};
-  asp_particle particle = {.d_p = d_p, .density = d->density, .pair = d->pair};
+  asp_particle particle = {
+      .d_p = d_p, .density = d->density, .pair = d->pair, .temperature = kelvin};
   cli_impact i;
   asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
   i.cor = asp_impact_coefficients(v1, n, &i.impact);

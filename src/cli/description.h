@@ -18,6 +18,7 @@ typedef struct cli_description {
                                             given */
   asp_pair *pair;                        /* NULL alike */
   bool has_default_materials;            /* none are given */
+  bool has_own_heat;                     /* the particles have temperatures of their own */
   bool has_no_impact; /* the command takes no rebound law, so constants do not count */
   double density;     /* of the particles */
   char *text;         /* canonical; with the materials, also where they are the
@@ -51,14 +52,14 @@ void cli_description_make(cli_description *description, double d_least, double d
 /* Warns if the lowest of these angles (degrees) is steepened over a measured profile. */
 void cli_description_doubt_angles(const cli_description *description, const cli_list *angles);
 
-/* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x; cor_t is
- * NAN if it is undefined. */
+/* One impact, at an angle in degrees on the wall z = 0, of a particle that flies along x, at a
+ * temperature of its own (0: it has none); cor_t is NAN if it is undefined. */
 typedef struct cli_impact {
   asp_impact impact;
   asp_coefficients cor;
 } cli_impact;
 cli_impact cli_impact_at(const cli_description *description, double d_p, double speed,
-                         double degrees, const asp_key *key);
+                         double kelvin, double degrees, const asp_key *key);
 
 /* The square of lambda_c across the lay over the correlation length along the flight; 1 without a
  * lay. */

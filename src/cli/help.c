@@ -144,6 +144,20 @@ static void put_erosion(const aspi_erosion_law *law) {
   put_law(law->name, law->parameters, law->n_parameters, law->summary, law->source);
 }
 
+/* A form of a curve over the temperature; NULL: all of them. False if there is none. */
+static bool put_curve(const char *name) {
+  bool found = false;
+  for (const aspi_curve_form *f = aspi_curve_forms; f->name; f++) {
+    if (name && strcmp(f->name, name) != 0)
+      continue;
+    printf(name ? "behind %s:\n" : "", f->keywords);
+    put_law(f->n_parameters ? f->name : "table FILE", f->parameters, f->n_parameters, f->summary,
+            f->source);
+    found = true;
+  }
+  return found;
+}
+
 bool cli_help_word(const char *name) {
   const asp_spread_model *model = asp_spread_find(name, NULL);
   const asp_rebound_law *rebound = asp_rebound_find(name, NULL);
@@ -165,7 +179,7 @@ bool cli_help_word(const char *name) {
   printf(erosion ? "behind erosion:\n" : "");
   if (erosion)
     put_erosion(erosion);
-  return found;
+  return put_curve(name) || found;
 }
 
 void cli_help_wall(void) {
@@ -186,4 +200,6 @@ void cli_help_wall(void) {
   fputs("\nLAW of erosion:\n", stdout);
   for (int i = 0; i < aspi_erosion_count(); i++)
     put_erosion(aspi_erosion_at(i));
+  fputs("\nCurves of viscosity and of soften_modulus:\n", stdout);
+  put_curve(NULL);
 }

@@ -32,6 +32,7 @@ enum {
   OUTCOME, /* 1 for a deposit, else 0 */
   MESH,
   TRIANGLE,
+  KELVIN,
   MASS,
   ERODED,
   DELTA_ALPHA,

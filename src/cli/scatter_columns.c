@@ -76,6 +76,7 @@ static const struct {
     [OUTCOME] = {"outcome", RATIO, 0, 0},
     [MESH] = {"mesh", RATIO, 0, INT_MAX},
     [TRIANGLE] = {"triangle", RATIO, 0, INT_MAX},
+    [KELVIN] = {"temperature", "K", 0, LARGE},
     [MASS] = {"mass", OF_MASS, 0, LARGE},
     [ERODED] = {"eroded_mass", OF_MASS, 0, LARGE},
     [DELTA_ALPHA] = {"delta_alpha", ANGLE, -RIGHT_ANGLE, RIGHT_ANGLE},

@@ -109,7 +109,8 @@ static void weigh(study *s, size_t line, const double fields[], aspi_drawn *d) {
   asp_particle particle = {.d_p = fields[D_P],
                            .density = s->has_mass ? fields[MASS] / ASP_SPHERE_VOLUME(fields[D_P])
                                                   : s->own.density,
-                           .pair = s->own.pair};
+                           .pair = s->own.pair,
+                           .temperature = fields[KELVIN] > 0 ? fields[KELVIN] : 0};
   memcpy(particle.omega, fields + SPIN, sizeof particle.omega);
   asp_key key = {asp_wall_seed(s->own.wall), s->wall_key, (uint64_t)fields[TAG],
                  (uint32_t)fields[IMPACT], 0};
@@ -255,6 +256,7 @@ static void run(cli_call *call) {
                   "sensitivity --help'");
   study s = {.path = call->words[0]};
   s.own = cli_description_read(call->n_words - 1, call->words + 1, false);
+  s.own.has_own_heat = !asp_description_is_given(s.own.words, "temperature"); /* the ledger's */
   make_walls(&s, cli_value(call, "to"));
   read_ledger(&s, cli_value(call, "name"));
   FILE *out = cli_output_open(call, "output", s.own.text);

@@ -59,6 +59,12 @@ struct Spheres {
   }
 };
 
+/* A number of each particle of this rank, in their order; NULL: there is none. */
+struct Column {
+  const double *first;
+  size_t stride;
+};
+
 class Engine {
 public:
   virtual ~Engine() {}
@@ -87,6 +93,9 @@ public:
   virtual std::string how_to_state(const char *, bool, const std::string &) const {
     return "";
   }
+
+  /* The numbers of that name, as they are now. Throws an Error that tells which names there are. */
+  virtual Column column(const std::string &name) const = 0;
 
   /* The diameters of the group's particles that there are or will be, of all ranks. Both 0: none.
    */

@@ -29,7 +29,7 @@ Model::Model(const Engine &engine)
     : engine_(engine), units_(), d_range_(), doubted_for_{HUGE_VAL, 0}, deposit_(FREEZE), lay_(),
       heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
       wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), types_(1), least_(0), most_(0),
-      dissipates_(true), is_new_(true) {}
+      temperature_(0), dissipates_(true), is_new_(true) {}
 
 /* ---- words of the script ----------------------------------------------------------------------
  */
@@ -66,13 +66,18 @@ void Model::parse(Words &words, const std::string &others) {
   words.skip(taken);
 }
 
-void Model::finish() {
+void Model::finish(bool own_heat) {
   asp_error wrong;
   begin();
   if (asp_description_check(description_.get(), &wrong))
     throw_error(wrong);
-  if (asp_description_check_heat(description_.get(), false, &wrong))
+  if (asp_description_check_heat(description_.get(), own_heat, &wrong))
     throw_error(wrong);
+  if (own_heat && !is_given("viscosity") && !is_given("soften_modulus") &&
+      !(number("soften_from") >= 0))
+    throw Error("'temperature_of' has no effect with rebound " + word("rebound") +
+                ", without 'viscosity' and 'soften_modulus'");
+  temperature_ = is_given("temperature") ? number("temperature") : 0;
   const int names = asp_description_materials(description_.get());
   if (is_given("materials") && names != engine_.types())
     throw Error(text("materials has %d names, and the script has %d atom types; there must be one "
@@ -339,5 +344,5 @@ void Model::check_bodies() const {
 }
 
 bool Model::sticks() const {
-  return deposit_ != OFF && needs_materials();
+  return deposit_ != OFF && (needs_materials() || is_given("viscosity"));
 }

@@ -27,8 +27,8 @@ public:
    * the description's, which end a list of materials. */
   void parse(Words &words, const std::string &others);
 
-  /* When all words are read. */
-  void finish();
+  /* When all words are read. own_heat: each particle has a temperature of its own. */
+  void finish(bool own_heat);
 
   /* Before a run, when particles and constants are known; collective. wall_types: of the atoms
    * that the wall's pieces are made of. */
@@ -66,6 +66,11 @@ public:
 
   /* The density of a wall that is worn; 0 where nothing is. */
   double worn_density(int wall_type) const;
+
+  /* Of the description, K; 0: it has none. */
+  double temperature() const {
+    return temperature_;
+  }
 
   /* True if the law needs the elastic constants of particle and wall. */
   bool needs_materials() const;
@@ -127,6 +132,7 @@ private:
   std::string report(const asp_particle &particles) const;
   std::string describe_speeds() const;
   std::string describe_file() const;
+  std::string describe_heat() const;
 
   const Engine &engine_;
   std::string units_name_;
@@ -148,7 +154,7 @@ private:
   int types_;                       /* of atoms */
   std::vector<int> wall_types_;     /* of the wall's pieces */
   std::vector<Engine::Kind> kinds_; /* of the particles, and their least and largest diameters */
-  double least_, most_;
+  double least_, most_, temperature_;
   bool dissipates_;
   bool is_new_;
 };

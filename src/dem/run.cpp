@@ -88,6 +88,7 @@ void Run::step() {
       if (grow)
         each->wall.stepper.clear_ahead();
       each->begin_step();
+      each->wall.setup.find_temperatures();
       if (!each->is_checked_)
         each->check_use();
       each->is_checked_ = true;

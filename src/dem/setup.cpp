@@ -3,12 +3,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/setup.h"
 
+#include "dem/error.h"
+
 using namespace asperity;
 
 Setup::Setup(const Engine &of)
     : engine(of), model(of), key(asp_key_wall(of.id().c_str())),
-      stay_key(asp_key_wall((of.id() + " stays").c_str())), interlocks(true), groupbit(1), box(),
-      clock(), dt(0) {}
+      stay_key(asp_key_wall((of.id() + " stays").c_str())), interlocks(true), temperatures(),
+      groupbit(1), box(), clock(), dt(0) {}
 
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
 void Setup::set_clock(int64_t step, double now_dt) {
@@ -18,6 +20,18 @@ void Setup::set_clock(int64_t step, double now_dt) {
     clock = Clock{engine.time(), now, dt};
   else if (clock.dt < dt || clock.dt > dt)
     clock = Clock{time(now), now, dt};
+}
+
+void Setup::find_temperatures() {
+  if (!temperature_of.empty())
+    temperatures = engine.column(temperature_of);
+}
+
+void Setup::check_bodies() const {
+  if (!temperature_of.empty())
+    throw Error("'temperature_of' is of single particles, and the script has bodies; with bodies "
+                "it must be 'temperature T', behind 'rebound LAW'");
+  model.check_bodies();
 }
 
 bool Setup::repeats() const {

@@ -33,8 +33,10 @@ struct Setup {
   Model model;
   std::string geometry; /* the words of the command before the description */
   std::vector<Member> shapes;
-  uint32_t key, stay_key; /* of the draws: of impacts, and of particles that stay at the wall */
-  bool interlocks;        /* valleys hold particles */
+  uint32_t key, stay_key;     /* of the draws: of impacts, and of particles that stay at the wall */
+  bool interlocks;            /* valleys hold particles */
+  std::string temperature_of; /* the engine's name of the particles' temperatures; "": none */
+  Column temperatures;        /* in this step */
   int groupbit;
   Box box;
   Clock clock;
@@ -47,6 +49,17 @@ struct Setup {
     return clock.time + (step - clock.step) * clock.dt;
   }
   void set_clock(int64_t step, double dt);
+
+  /* Finds the temperatures, which may have moved since the last step; and that of a particle of
+   * this rank, K, 0 where it is not known. */
+  void find_temperatures();
+  double temperature(int i) const {
+    return temperatures.first ? temperatures.first[static_cast<size_t>(i) * temperatures.stride]
+                              : model.temperature();
+  }
+
+  /* Throws an Error if bodies cannot hit this wall. */
+  void check_bodies() const;
 
   /* True if all shapes look the same to a particle that has crossed a periodic edge of the box. */
   bool repeats() const;

@@ -13,7 +13,7 @@
 
 using namespace asperity;
 
-const char Wall::KEYWORDS[] = "ledger torque_about interlock ";
+const char Wall::KEYWORDS[] = "ledger torque_about interlock temperature_of ";
 
 /* ---- the command ------------------------------------------------------------------------------
  */
@@ -69,7 +69,9 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
     if (words.is("map"))
       throw Error("'map' is of the triangles of LAMMPS's 'stl FILE'; LIGGGHTS writes those of a "
                   "mesh by 'dump mesh/vtk'");
-    if (words.take("interlock")) {
+    if (words.take("temperature_of"))
+      setup.temperature_of = words.word("the value of 'temperature_of'");
+    else if (words.take("interlock")) {
       const std::string word = words.word("the value of 'interlock'");
       if (word != "on" && word != "off")
         throw Error("interlock is '" + word + "'; it must be on or off");
@@ -77,7 +79,7 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
     } else
       setup.model.parse(words, KEYWORDS + own_words);
   }
-  setup.model.finish();
+  setup.model.finish(!setup.temperature_of.empty());
   check_lay(setup);
 }
 
@@ -86,6 +88,7 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
 
 void Wall::init(int64_t step, double dt) {
   setup.model.prepare(wall_types(setup));
+  setup.find_temperatures();
   setup.set_clock(step, dt);
   books.init();
   const std::string report = setup.model.take_report();
@@ -235,10 +238,13 @@ std::vector<char> Wall::save() {
 }
 
 Settings Wall::settings() const {
-  return Settings{{"geometry", setup.geometry},
-                  {"description", setup.model.description()},
-                  {"interlock", setup.interlocks ? "on" : "off"},
-                  {"torque_about", books.torque_about()}};
+  Settings all{{"geometry", setup.geometry},
+               {"description", setup.model.description()},
+               {"interlock", setup.interlocks ? "on" : "off"},
+               {"torque_about", books.torque_about()}};
+  if (!setup.temperature_of.empty())
+    all.push_back({"temperature_of", setup.temperature_of});
+  return all;
 }
 
 /* The script is what counts; but it should not differ unnoticed. */

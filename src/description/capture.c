@@ -20,7 +20,8 @@ static bool sticks_at(const asp_description *d, const asp_particle *particle, do
                   .d_p = particle->d_p,
                   .density = particle->density,
                   .pair = particle->pair,
-                  .adhesion = true};
+                  .adhesion = true,
+                  .temperature = d->choice.heat.temperature};
   return !(d->choice.law->rebound(d->choice.parameters, &hit).v_n2 > 0);
 }
 
@@ -33,6 +34,8 @@ double asp_description_capture_speed(const asp_description *d, const asp_particl
   asp_particle held = *particle;
   held.pair = &pair;
   pair.surface_energy *= d->choice.flow.adhesion > 0 ? d->choice.flow.adhesion : 1;
+  if (d->choice.heat.temperature > 0)
+    aspi_heat_soften(&d->choice.heat, d->choice.heat.temperature, &pair);
   particle = &held;
   double low = SPEED_LEAST * unit, step = pow(SPEED_MOST / SPEED_LEAST, 1 / (SPEEDS - 1.0));
   if (!sticks_at(d, particle, low))

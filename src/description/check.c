@@ -19,8 +19,8 @@ static void find_lack(const asp_description *d, aspi_need need, char *why, size_
   const double rate = asp_description_get(d, "yield_rate"),
                heat = asp_description_get(d, "temperature"),
                from = asp_description_get(d, "soften_from");
-  const bool is_cold =
-      !aspi_is_fit(d, "temperature") && !aspi_is_fit(d, "soften_from") && heat <= from;
+  const bool is_cold = !aspi_is_fit(d, "temperature") && !aspi_is_fit(d, "soften_from") &&
+                       heat <= from && !aspi_heat_counts(&d->choice.heat);
   const char *law = d->choice.law->name;
   *why = '\0';
   if (need == ASPI_ROUGH && d->kind == ASPI_SMOOTH)
@@ -38,6 +38,8 @@ static void find_lack(const asp_description *d, aspi_need need, char *why, size_
     aspi_append(why, size, "with yield_rate");
   else if (need == ASPI_HAS_YIELD && rate <= 0 && !aspi_is_given(d, "yield_stress"))
     aspi_append(why, size, "with yield_rate 0");
+  else if (need == ASPI_IS_HOT && !d->choice.law->softening && !aspi_heat_counts(&d->choice.heat))
+    aspi_append(why, size, "with rebound %s, without 'viscosity' and 'soften_modulus'", law);
   else if (need == ASPI_IS_HOT && is_cold)
     aspi_append(why, size, "at %g K: softening starts at %g K (soften FROM RATE)", heat, from);
 }
@@ -113,15 +115,19 @@ asp_code asp_description_check_heat(const asp_description *d, bool have_own, asp
   if (have_own && aspi_is_given(d, "temperature"))
     return aspi_fail(error, ASP_EARG,
                      "'temperature' has no effect: the particles have one of their own");
-  if (!have_own && aspi_is_given(d, "soften") && !aspi_is_given(d, "temperature"))
+  const char *hot =
+      aspi_is_given(d, "soften") ? "soften" : aspi_given_of(d, "viscosity soften_modulus", 0);
+  if (!have_own && hot && !aspi_is_given(d, "temperature"))
     return aspi_fail(error, ASP_EARG,
-                     "'soften' has no effect without 'temperature T', that of the particles");
+                     "'%s' has no effect without 'temperature T', that of the particles, behind "
+                     "'rebound %s'",
+                     hot, d->choice.law->name);
   return ASP_OK;
 }
 
 double asp_description_softening(const asp_description *d) {
   const asp_rebound_law *law = d->choice.law;
-  return law->softening ? law->softening(d->choice.parameters) : 1;
+  return law->softening ? law->softening(d->choice.parameters, d->choice.heat.temperature) : 1;
 }
 
 /* ---- the surface of numbers ---- */
@@ -149,6 +155,8 @@ asp_code asp_description_check(const asp_description *d, asp_error *error) {
     code = check_spread(d, error);
   if (!code)
     code = check_erosion(d, error);
+  if (!code)
+    code = aspi_description_check_curves(d, error);
   if (!code && d->choice.lever > 0)
     code = asp_description_check_bodies(d, error);
   if (code || (d->kind != ASPI_SIGMA && d->kind != ASPI_GAUSSIAN))

@@ -42,6 +42,8 @@ void asp_description_free(asp_description *d) {
   free(d->materials);
   free(d->file);
   free(d->table);
+  free(d->choice.heat.viscosity.file);
+  free(d->choice.heat.modulus.file);
   free(d->materials_file);
   aspi_materials_free(d->own);
   aspi_cor_table_free(d->cor_table);

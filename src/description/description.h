@@ -104,6 +104,10 @@ aspi_wall_choice aspi_description_choice(const asp_description *d);
 /* The surface of a wall that is given by numbers. */
 asp_surface *aspi_description_surface(const asp_description *d, asp_error *error);
 
+/* heat.c: ASP_EARG if a keyword lacks the form of its curve, ASP_ERANGE if the curves do not hold
+ * at the description's temperature. */
+asp_code aspi_description_check_curves(const asp_description *d, asp_error *error);
+
 /* ---- heights of a file ---- */
 
 /* Reads the file of a measured wall, unless the caller has set heights. *heights is NULL if there

@@ -14,6 +14,8 @@ static const aspi_form forms[] = {
     {"spread",     aspi_spread_read,   aspi_spread_write,   aspi_spread_finish,  NULL},
     {"rebound",    aspi_law_read,      aspi_law_write,      NULL,                aspi_law_parameter},
     {"erosion",    aspi_law_read,      aspi_law_write,      aspi_erosion_finish, aspi_law_parameter},
+    {"viscosity",  NULL,               aspi_curve_write,    NULL,                aspi_curve_take},
+    {"soften_modulus", NULL,           aspi_curve_write,    NULL,                aspi_curve_take},
     {"materials",  aspi_names_read,    aspi_names_write,    aspi_names_finish,   NULL},
 };
 /* clang-format on */

@@ -107,10 +107,12 @@ size_t asp_wall_report(const asp_check_input *input, char *text, size_t size) {
     add_speeds(&r, input);
   else
     add_surface(&r, input);
-  if (!(input->largest && input->largest->pair) && aspi_is_given(input->words, "temperature"))
+  if (!(input->largest && input->largest->pair) && input->words->choice.law->softening &&
+      aspi_is_given(input->words, "temperature"))
     add(&r,
         "\n  at the particles' temperature of %g K the yield stress is %.4g of that when cold; "
-        "modulus and surface energy are the cold ones",
-        asp_description_get(input->words, "temperature"), asp_description_softening(input->words));
+        "the surface energy is the cold one%s",
+        asp_description_get(input->words, "temperature"), asp_description_softening(input->words),
+        aspi_is_given(input->words, "soften_modulus") ? "" : ", and the modulus, too");
   return r.length;
 }

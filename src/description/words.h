@@ -119,6 +119,10 @@ bool aspi_law_parameter(aspi_words *words, const aspi_keyword *keyword, asp_code
 void aspi_law_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
 asp_code aspi_erosion_finish(aspi_words *words);
 
+/* heat.c: the form of a curve, and its numbers or its file */
+bool aspi_curve_take(aspi_words *words, const aspi_keyword *keyword, asp_code *code);
+void aspi_curve_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
+
 /* materials.c */
 asp_code aspi_names_read(aspi_words *words, const aspi_keyword *keyword);
 asp_code aspi_names_finish(aspi_words *words);

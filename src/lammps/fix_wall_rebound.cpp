@@ -252,7 +252,7 @@ void FixWallRebound::init() {
       p_->region->init();
     p_->of_bodies.init();
     if (p_->of_bodies.any())
-      p_->wall.setup.model.check_bodies();
+      p_->wall.setup.check_bodies();
     p_->wall.init(update->ntimestep, update->dt);
   });
 }

@@ -226,6 +226,17 @@ std::string FixWallRebound::how_to_state(const char *name, bool pairs,
               values.c_str());
 }
 
+/* A property of one number, such as the one that fix heat/gran makes. */
+asperity::Column FixWallRebound::column(const std::string &name) const {
+  Fix *found =
+      modify->find_fix_property(name.c_str(), "property/atom", "scalar", 0, 0, style, false);
+  if (!found)
+    throw asperity::Error("the numbers '" + name + "' do not exist; they must be of a 'fix " +
+                          name + " all property/atom " + name +
+                          " scalar ...', or 'Temp' of fix heat/gran");
+  return asperity::Column{found->vector_atom, 1};
+}
+
 /* Of the group's particles, and of all that fixes will insert: their groups are those of templates,
  * which insertions do not tell. */
 void FixWallRebound::diameters(double &least, double &most) const {
@@ -292,7 +303,7 @@ void FixWallRebound::check_bodies() {
   if (modify->n_fixes_style("multisphere") > 1 ||
       modify->n_fixes_style("multisphere/nointegration") > 0)
     fail("bodies must be those of one fix multisphere");
-  attempt([this] { wall.setup.model.check_bodies(); });
+  attempt([this] { wall.setup.check_bodies(); });
 }
 
 /* Fixes and meshes that the wall uses may have been deleted since. */

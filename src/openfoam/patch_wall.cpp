@@ -21,6 +21,9 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
     throw Error(wrong.text);
   deletes = strcmp(asp_description_word(words_.get(), "deposit"), "delete") == 0;
   has_flow = asp_description_is_given(words_.get(), "remove");
+  temperature_ = asp_description_is_given(words_.get(), "temperature")
+                     ? asp_description_get(words_.get(), "temperature")
+                     : 0;
   check(cloud);
   wall_.reset(asp_wall_create(words_.get(), cloud.d_least, cloud.d_most, &wrong));
   const asp_surface *surface = wall_ ? asp_wall_surface(wall_.get()) : NULL;
@@ -73,7 +76,10 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   const asp_particle &sphere = parcel.sphere;
   const asp_key key = key_of(parcel);
   Hit hit = {};
-  asp_wall_impact(wall_.get(), &sphere, parcel.v1, parcel.n, &key, &hit);
+  asp_error wrong;
+  if (asp_wall_impact(wall_.get(), &sphere, parcel.v1, parcel.n, &key, &hit) &&
+      asp_wall_sticking(wall_.get(), sphere.temperature, NULL, &wrong))
+    throw Error(wrong.text);
   hit.mass = parcel.number * sphere.density * ASP_SPHERE_VOLUME(sphere.d_p);
   hit.eroded_mass = hit.mass * hit.eroded;
   for (int k = 0; k < 3; k++) {
@@ -92,6 +98,7 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   row[L::STEP] = parcel.step;
   row[L::MASS] = hit.mass;
   row[L::ERODED_MASS] = hit.eroded_mass;
+  row[L::TEMPERATURE] = sphere.temperature > 0 ? sphere.temperature : temperature_;
   std::copy_n(parcel.x, 3, &row[L::X]);
   std::copy_n(hit.impulse, 3, &row[L::IMPULSE_X]);
   rows.push_back(row);

@@ -203,7 +203,13 @@ bool PatchWalls::removes(Parcel &parcel) {
 Hit PatchWalls::hit(const Parcel &parcel) {
   const int patch = parcel.patch, face = parcel.face;
   PatchWall &wall = *of_patch_[patch];
-  const Hit hit = wall.hit(parcel, every_ > 0);
+  Hit hit;
+  try {
+    hit = wall.hit(parcel, every_ > 0);
+  } catch (const Error &error) {
+    FatalErrorInFunction << "asperityWall " << wall.name << ": " << error.what()
+                         << exit(FatalError);
+  }
   const bool sticks = hit.outcome == ASP_DEPOSIT;
   sums_[patch * N_SUMS + (sticks ? STICK : REBOUND)]++;
   sums_[patch * N_SUMS + (sticks ? STICK_MASS : REBOUND_MASS)] += hit.mass;

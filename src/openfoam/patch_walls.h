@@ -66,6 +66,7 @@ private:
   std::unique_ptr<asp_description, void (*)(asp_description *)> words_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
   uint32_t key_;
+  double temperature_;         /* of parcels that have none; 0: unknown */
   std::set<std::string> said_; /* doubts */
 };
 

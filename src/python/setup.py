@@ -1,6 +1,7 @@
 """Puts the built shared library beside the module, and leaves nothing behind in this folder.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 import runpy
 import shutil
@@ -26,7 +27,12 @@ class OfThisMachine(Distribution):
         return True
 
 
+class AnyPython(Distribution().get_command_class("bdist_wheel")):
+    def get_tag(self):
+        return "py3", "none", super().get_tag()[2]
+
+
 work = tempfile.mkdtemp()
-setup(cmdclass={"build_py": WithLibrary}, distclass=OfThisMachine,
+setup(cmdclass={"build_py": WithLibrary, "bdist_wheel": AnyPython}, distclass=OfThisMachine,
       options={"build": {"build_base": work}, "egg_info": {"egg_base": work}})
 shutil.rmtree(work)

@@ -32,17 +32,7 @@
 
 #include <math.h>
 
-enum {
-  YIELD_RATE,
-  AREA_A,
-  AREA_B,
-  AREA_C,
-  TEMPERATURE,
-  SOFTEN_FROM,
-  SOFTEN_RATE,
-  SPIN,
-  N_PARAMETERS
-};
+enum { YIELD_RATE, AREA_A, AREA_B, AREA_C, SOFTEN_FROM, SOFTEN_RATE, SPIN, N_PARAMETERS };
 
 static const aspi_keyword parameters[N_PARAMETERS] = {
     [YIELD_RATE] = {"yield_rate", "stress/speed", 0, 0, INFINITY,
@@ -55,9 +45,6 @@ static const aspi_keyword parameters[N_PARAMETERS] = {
     [AREA_B] = {"b", "", 1.0 / 7, 0, 1e3, "see a (recalled, original not seen)",
                 .word = "contact_area"},
     [AREA_C] = {"c", "", 0.5, 0, 10, "see a (recalled, original not seen)", .word = "contact_area"},
-    [TEMPERATURE] = {"temperature", "K", 0, 0, 1e5,
-                     "temperature of the particle; the modulus and the surface energy stay cold",
-                     .needs = ASPI_IS_HOT},
     [SOFTEN_FROM] = {"soften_from", "K", 1000, 0, 1e5,
                      "temperature above which the yield stress falls (recalled, original not seen)",
                      .word = "soften"},
@@ -75,8 +62,7 @@ static const aspi_keyword parameters[N_PARAMETERS] = {
 #define D_LEAST 0.5e-6
 
 /* Yield stress at this temperature over the cold one. */
-static double softened(const double *p, double own) {
-  double temperature = own > 0 ? own : p[TEMPERATURE];
+static double softening(const double *p, double temperature) {
   if (!(temperature > p[SOFTEN_FROM]))
     return 1;
   return fmax(0, fma(-p[SOFTEN_RATE], temperature - p[SOFTEN_FROM], 1));
@@ -88,7 +74,7 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   double n1 = hit->v_n1, t1 = hit->v_t1, speed = sqrt(n1 * n1 + t1 * t1), density = hit->density;
   double yield =
       p[YIELD_RATE] > 0 ? p[YIELD_RATE] * speed * (1 + pair->yield_excess) : pair->yield_stress;
-  double v_y = yield * softened(p, hit->temperature) / sqrt(density * pair->modulus);
+  double v_y = yield * softening(p, hit->temperature) / sqrt(density * pair->modulus);
   double n2 = fmin(n1, v_y);
   if (hit->adhesion && pair->surface_energy > 0) {
     double share = p[AREA_A] + p[AREA_B] * (n1 < v_y ? pow(n1 / v_y, p[AREA_C]) : 1);
@@ -103,10 +89,6 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
     friction = pair->friction * share * share;
   }
   return (aspi_bounce){n2, fmax(0, t1 - pressed * along * along), rub, friction};
-}
-
-static double softening(const double *p) {
-  return softened(p, 0);
 }
 
 static bool spins(const double *p) {

@@ -25,7 +25,7 @@ typedef struct aspi_hit {
   bool adhesion;               /* false: the law leaves the surface energy out */
   const aspi_cor_table *table; /* for laws that need one */
   aspi_stream *stream;         /* for laws that draw */
-  double temperature;          /* of the particle; 0: by the law's parameters */
+  double temperature;          /* of the particle, K; 0: unknown, cold */
 } aspi_hit;
 
 /* Velocities after a hit: v_n2 >= 0, v_n2^2 + v_t2^2 <= v_n1^2 + v_t1^2; v_n2 = 0 is a deposit,
@@ -64,9 +64,8 @@ struct asp_rebound_law {
   int n_parameters;
   const aspi_keyword *parameters;
   aspi_bounce (*rebound)(const double *parameters, const aspi_hit *hit);
-  /* Yield stress at the parameters' temperature over the cold one; NULL: 1.
-   */
-  double (*softening)(const double *parameters);
+  /* Yield stress at a temperature over the cold one; NULL: 1. */
+  double (*softening)(const double *parameters, double temperature);
   /* True if the law draws scatter itself with these parameters; NULL: never. */
   bool (*scatters)(const double *parameters);
   /* True if the contact is compliant along the face with these parameters, which is not implemented

@@ -25,6 +25,7 @@ struct asp_pair {
   double friction;       /* mu, >= 0 */
   double wall_density;
   double yield_excess; /* one grain's yield stress over the material's, minus 1 */
+  double give;         /* E/E_c of two equal Young's moduli E: (1-nu_p^2) + (1-nu_w^2) */
 };
 
 /* Materials from a text file in columns, a row a material, as `asperity materials` prints them:

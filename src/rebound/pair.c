@@ -17,9 +17,9 @@ static asp_code check(const asp_material *m, const char *of, asp_error *error) {
                          m->youngs_modulus);
 }
 
-/* (1 - nu^2)/E */
-static double compliance(const asp_material *m) {
-  return (1 - m->poissons_ratio * m->poissons_ratio) / m->youngs_modulus;
+/* 1 - nu^2 */
+static double give(const asp_material *m) {
+  return 1 - m->poissons_ratio * m->poissons_ratio;
 }
 
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall,
@@ -31,7 +31,8 @@ asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall
   }
   if (check(particle, "particle", error) || check(wall, "wall", error))
     return NULL;
-  double modulus = 1 / (compliance(particle) + compliance(wall));
+  double modulus =
+      1 / (give(particle) / particle->youngs_modulus + give(wall) / wall->youngs_modulus);
   if (!(modulus > 0 && isfinite(modulus))) {
     aspi_fail(error, ASP_EARG, "Young's moduli %g and %g give no finite composite modulus",
               particle->youngs_modulus, wall->youngs_modulus);
@@ -39,8 +40,12 @@ asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall
   }
   asp_pair *pair = malloc(sizeof *pair);
   if (pair)
-    *pair = (asp_pair){modulus,      particle->yield_stress, ASP_SURFACE_ENERGY,
-                       ASP_FRICTION, wall->density,          0};
+    *pair = (asp_pair){.modulus = modulus,
+                       .yield_stress = particle->yield_stress,
+                       .surface_energy = ASP_SURFACE_ENERGY,
+                       .friction = ASP_FRICTION,
+                       .wall_density = wall->density,
+                       .give = give(particle) + give(wall)};
   else
     aspi_fail(error, ASP_ENOMEM, "out of memory for a pair of materials");
   return pair;

@@ -23,9 +23,9 @@ static bool is_finite(const asp_particle *particle, const double v1[3], const do
   return isfinite(sum);
 }
 
-asp_code aspi_impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
-                        const double v1[3], const double n[3], const asp_key *key,
-                        const aspi_ratios *ratios, asp_impact *impact) {
+static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
+                          const double v1[3], const double n[3], const asp_key *key,
+                          const aspi_ratios *ratios, asp_impact *impact) {
   asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
     if (!wall->pair) {
@@ -49,40 +49,50 @@ asp_code aspi_impact_on(const asp_wall *wall, bool rough, const asp_particle *pa
 
 /* The impact on a wall whose grains differ; a function of its own, so that other walls need no
  * space for a pair. */
-static asp_code impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
-                                const double v1[3], const double n[3], const asp_key *key,
-                                asp_impact *impact) {
+asp_code aspi_impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
+                              const double v1[3], const double n[3], const asp_key *key,
+                              const aspi_ratios *ratios, asp_impact *impact) {
   asp_pair pair;
+  asp_wall held;
+  const asp_wall *met = aspi_wall_met(wall, particle, key, &held);
+  if (!met) {
+    pass(load(v1), load(particle->omega), impact);
+    return ASP_ERANGE;
+  }
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);
-  return aspi_impact_on(wall, rough, &own, v1, n, key, NULL, impact);
+  return impact_on(met, rough, &own, v1, n, key, ratios, impact);
 }
 
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact) {
-  return wall->varies ? impact_of_grain(wall, wall->rough, particle, v1, n, key, impact)
-                      : aspi_impact_on(wall, wall->rough, particle, v1, n, key, NULL, impact);
+  return wall->varies ? aspi_impact_of_grain(wall, wall->rough, particle, v1, n, key, NULL, impact)
+                      : impact_on(wall, wall->rough, particle, v1, n, key, NULL, impact);
 }
 
 asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle,
                               const double v1[3], const double n[3], const asp_key *key,
                               asp_impact *impact) {
-  return wall->varies ? impact_of_grain(wall, false, particle, v1, n, key, impact)
-                      : aspi_impact_on(wall, false, particle, v1, n, key, NULL, impact);
+  return wall->varies ? aspi_impact_of_grain(wall, false, particle, v1, n, key, NULL, impact)
+                      : impact_on(wall, false, particle, v1, n, key, NULL, impact);
 }
 
-asp_code aspi_fail_law(const asp_wall *wall, asp_code code, asp_error *error) {
-  return code ? aspi_fail(error, code,
-                          "rebound law '%s' needs a pair of materials, and neither the particle "
-                          "nor the wall has one",
-                          wall->law->name)
-              : ASP_OK;
+asp_code aspi_fail_law(const asp_wall *wall, asp_code code, double temperature, asp_error *error) {
+  if (code == ASP_ERANGE)
+    return asp_wall_sticking(wall, temperature, NULL, error);
+  return aspi_fail(error, code,
+                   "rebound law '%s' needs a pair of materials, and neither the particle nor the "
+                   "wall has one",
+                   wall->law->name);
 }
 
 asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *particles,
                           const double *v1, const double *normals, const asp_key *keys,
                           asp_impact *impacts, asp_error *error) {
-  asp_code code = ASP_OK;
-  for (size_t i = 0; i < n && !code; i++)
-    code = asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
-  return aspi_fail_law(wall, code, error);
+  for (size_t i = 0; i < n; i++) {
+    asp_code code =
+        asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
+    if (code)
+      return aspi_fail_law(wall, code, particles[i].temperature, error);
+  }
+  return ASP_OK;
 }

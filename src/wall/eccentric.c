@@ -1,4 +1,4 @@
-/* The impact of an eccentric grain, whose lever, how far its center of mass is off, is drawn here.
+/* The impact of an eccentric grain, whose center of mass is off by a lever that is drawn.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wall/impact.h"

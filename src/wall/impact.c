@@ -15,6 +15,7 @@
 #include "wall/roughness.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Smith's Lambda is under 1e-13 for nu above NU_FREE, and overflows for nu below NU_LEAST. */
 #define NU_FREE 5.2
@@ -425,11 +426,15 @@ asp_code asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *parti
                                  const double v1[3], const double n[3], double press,
                                  const asp_key *key, asp_impact *impact) {
   asp_pair pair;
-  asp_particle own = aspi_as_grain(wall, particle, key, &pair);
-  particle = &own;
+  asp_wall held;
   *impact = (asp_impact){.hits = 0};
   store(load(v1), impact->v2);
   store(load(particle->omega), impact->omega);
+  wall = aspi_wall_met(wall, particle, key, &held);
+  if (!wall)
+    return ASP_ERANGE;
+  asp_particle own = aspi_as_grain(wall, particle, key, &pair);
+  particle = &own;
   if (!particle->pair && wall->law->needs_pair)
     return ASP_EARG;
   frame f = frame_of(touching(particle, load(v1)), load(n));

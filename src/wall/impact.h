@@ -14,9 +14,15 @@ static inline asp_particle aspi_with_pair(const asp_wall *wall, const asp_partic
   return own;
 }
 
-/* The same with the grain's own yield stress and adhesion, in *pair. */
+/* The same with the grain's own yield stress and adhesion, and the modulus at its temperature, in
+ * *pair. */
 asp_particle aspi_as_grain(const asp_wall *wall, const asp_particle *particle, const asp_key *key,
                            asp_pair *pair);
+
+/* The wall that a grain meets: this one, or `held`, a copy from which nothing rebounds, where the
+ * grain sticks by its viscosity. NULL if the wall's curves do not hold at its temperature. */
+const asp_wall *aspi_wall_met(const asp_wall *wall, const asp_particle *particle,
+                              const asp_key *key, asp_wall *held);
 
 /* Log likelihood ratios of an impact's draws: on each of n other walls, over the impact's wall. */
 typedef struct aspi_ratios {
@@ -36,12 +42,12 @@ void aspi_impact_eccentric(const asp_wall *wall, bool rough, const asp_particle 
                            vec n, aspi_stream *stream, const aspi_ratios *ratios,
                            asp_impact *impact);
 
-/* asp_wall_impact for a grain as aspi_as_grain has it. */
-asp_code aspi_impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
-                        const double v1[3], const double n[3], const asp_key *key,
-                        const aspi_ratios *ratios, asp_impact *impact);
+/* asp_wall_impact on a wall whose grains may differ. Adds to the ratios, which may be NULL. */
+asp_code aspi_impact_of_grain(const asp_wall *wall, bool rough, const asp_particle *particle,
+                              const double v1[3], const double n[3], const asp_key *key,
+                              const aspi_ratios *ratios, asp_impact *impact);
 
 /* The message of the code of an impact. */
-asp_code aspi_fail_law(const asp_wall *wall, asp_code code, asp_error *error);
+asp_code aspi_fail_law(const asp_wall *wall, asp_code code, double temperature, asp_error *error);
 
 #endif

@@ -60,7 +60,10 @@ void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice) {
   wall->erosion = choice->erosion;
   wall->lever = choice->lever;
   wall->scatter = choice->scatter;
-  wall->varies = choice->law->needs_pair && (choice->scatter > 0 || choice->flow.adhesion > 0);
+  if (wall->heat)
+    *wall->heat = choice->heat;
+  wall->varies = (choice->law->needs_pair && (choice->scatter > 0 || choice->flow.adhesion > 0)) ||
+                 aspi_heat_counts(&choice->heat);
 }
 
 static void release(asp_wall *wall) {
@@ -69,6 +72,7 @@ static void release(asp_wall *wall) {
   asp_surface_free(wall->surface);
   aspi_cor_table_free(wall->table);
   asp_pair_free(wall->pair);
+  free(wall->heat);
 }
 
 void asp_wall_free(asp_wall *wall) {
@@ -81,11 +85,12 @@ void asp_wall_free(asp_wall *wall) {
 static asp_code copy_parts(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {
   wall->surface = choice->surface ? aspi_surface_copy(choice->surface) : NULL;
   wall->table = choice->table ? aspi_cor_table_copy(choice->table) : NULL;
+  wall->heat = malloc(sizeof *wall->heat);
   wall->pair = choice->pair ? malloc(sizeof *wall->pair) : NULL;
   if (wall->pair)
     *wall->pair = *choice->pair;
   if ((choice->surface && !wall->surface) || (choice->table && !wall->table) ||
-      (choice->pair && !wall->pair))
+      (choice->pair && !wall->pair) || !wall->heat)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for a wall");
   return ASP_OK;
 }
@@ -141,4 +146,14 @@ const asp_spread_model *asp_wall_spread(const asp_wall *wall) {
 
 const asp_pair *asp_wall_pair(const asp_wall *wall) {
   return wall->pair;
+}
+
+asp_code asp_wall_sticking(const asp_wall *wall, double temperature, double *share,
+                           asp_error *error) {
+  const double kelvin = aspi_heat_of(wall->heat, temperature);
+  asp_code code =
+      aspi_heat_counts(wall->heat) ? aspi_heat_check(wall->heat, kelvin, error) : ASP_OK;
+  if (share)
+    *share = code ? 0 : aspi_heat_share(wall->heat, kelvin);
+  return code;
 }

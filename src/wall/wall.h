@@ -6,6 +6,7 @@
 
 #include "asperity_internal.h"
 #include "erosion/laws.h"
+#include "rebound/heat.h"
 #include "rebound/laws.h"
 #include "rebound/removal.h"
 #include "spread/models.h"
@@ -29,6 +30,7 @@ typedef struct aspi_wall_choice {
   bool has_lay;
   double lay[3]; /* its direction */
   uint32_t seed;
+  aspi_heat heat;
 } aspi_wall_choice;
 
 /* A measured wall: doubts about its file, and its points. */
@@ -57,7 +59,8 @@ struct asp_wall {
   aspi_flow flow; /* takes away what sticks */
   aspi_erosion erosion;
   double lever, scatter;
-  bool varies; /* each grain has its own yield stress or adhesion */
+  aspi_heat *heat; /* a copy */
+  bool varies;     /* each grain has its own yield stress or adhesion, or its heat counts */
   bool has_lay;
   double lay[3];
   uint32_t seed;

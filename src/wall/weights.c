@@ -46,7 +46,6 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
                           const double *v1, const double *normals, const asp_key *keys,
                           size_t n_others, const asp_wall *const *others, asp_impact *impacts,
                           double *weights, asp_error *error) {
-  asp_code code = ASP_OK;
   for (size_t k = 0; k <= n_others; k++) {
     const asp_wall *of = k < n_others ? others[k] : wall;
     if (!has_weights(of) || of->isotropic != wall->isotropic)
@@ -56,17 +55,17 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
           "has a density, as visible, collisions multiple, and the same tilt",
           of->spread->name);
   }
-  for (size_t i = 0; i < n && !code; i++) {
+  for (size_t i = 0; i < n; i++) {
     aspi_ratios ratios = {n_others, others, weights + i * n_others};
     memset(ratios.log, 0, n_others * sizeof *ratios.log);
     if (check_steeper(wall, &particles[i], normals + 3 * i, &ratios, error))
       return ASP_ERANGE;
-    asp_pair pair;
-    asp_particle own = aspi_as_grain(wall, &particles[i], &keys[i], &pair);
-    code = aspi_impact_on(wall, true, &own, v1 + 3 * i, normals + 3 * i, &keys[i], &ratios,
-                          &impacts[i]);
+    asp_code code = aspi_impact_of_grain(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i,
+                                         &keys[i], &ratios, &impacts[i]);
+    if (code)
+      return aspi_fail_law(wall, code, particles[i].temperature, error);
   }
   for (size_t i = 0; i < n * n_others; i++)
     weights[i] = exp(weights[i]);
-  return aspi_fail_law(wall, code, error);
+  return ASP_OK;
 }

@@ -2,7 +2,8 @@
 compared with NumPy's numbers of what was written (points, steps, R_q or S_q about the least-squares line or plane), or
 refused with the words that help. Usage: forms.py ASPERITY.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import os
 import re
 import struct

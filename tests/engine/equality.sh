@@ -10,8 +10,8 @@ physics="materials quartz hastelloy-x $rough"
 primitive='all wall/rebound primitive type 2'
 # All that a description has for such a wall, word for word in both, over LIGGGHTS's own constants.
 description='surface sigma 6deg spread truncated plane collisions single rebound bons contact_area 0.1 0.15 0.4
- temperature 800C soften 1000 0.001/K friction 0.4 surface_energy 100mJ/m2 adhesion 0.5 adhesion_spread 2 yield_stress 150MPa scatter 0.3
- materials quartz hastelloy-x deposit freeze remove u_tau 2cm/s gas_density 1.2kg/m3 gas_viscosity 15mm2/s seed 6'
+ temperature 800C soften 1000 0.001/K soften_modulus exp 3e20Pa 0.02365/K wall_temperature 700C friction 0.4 surface_energy 100mJ/m2 adhesion 0.5 adhesion_spread 2 yield_stress 150MPa scatter 0.3
+ materials quartz hastelloy-x deposit freeze viscosity critical 1e5P watt 60 20 8 8 4 remove u_tau 2cm/s gas_density 1.2kg/m3 gas_viscosity 15mm2/s seed 6'
 declare -A walls=(
   [freeze]="fix low $primitive zplane 0.0 $physics deposit freeze seed 5 ledger 100 file low.csv"
   [words]="fix low $primitive zplane 0.0 ${description//$'\n'/} ledger 70 file low.csv"

@@ -33,16 +33,7 @@ grep '^asp_' "$work/global" | comm -13 "$work/declared" - > "$work/inside"
 [ ! -s "$work/inside" ] || die "names of the core's own begin as the public ones: $(cat "$work/inside")"
 grep -v -e '^asp_' -e '^aspi_' "$work/global" > "$work/bare" && die "global names without a prefix: $(cat "$work/bare")"
 
-pc=$(find "$work/prefix" -name asperity.pc -printf %h)
-export PKG_CONFIG_PATH=$pc LD_LIBRARY_PATH=$(dirname "$library")
-program=$here/../../examples/c_program
-# shellcheck disable=SC2046
-gcc "$program/scatter.c" -o "$work/scatter" $(pkg-config --cflags --libs asperity)
-"$work/scatter"
-! pkg-config --libs asperity | grep -q gsl || die "who links the shared library is asked for GSL"
-cmake -S "$program" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; die "find_package"; }
-cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; die "build by find_package"; }
-"$work/cmake/scatter"
+"$here/users.sh" "$work/prefix" shared
 "$work/prefix/bin/asperity" --version
 
 # stops WORD... -- OPTIONS: the configuration fails and says the words.

@@ -19,6 +19,8 @@ for program in "$build"/bin/* "$work"/prefix/bin/*; do
 done
 [ "$programs" -ge 2 ] || { echo "no programs were looked at"; exit 1; }
 
+kind=static; [ ! -e "$(find "$work/prefix" -name libasperity.so)" ] || kind=shared
+"$here/users.sh" "$work/prefix" $kind
 program=$here/../../examples/c_program
 cmake -S "$program" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cmake --build "$work/cmake" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
@@ -38,13 +40,6 @@ cp "$program/scatter.c" "$work"
     END { exit (k - rebound) ^ 2 > 16 * 2 * (10000 - k) + 1 || far(n, a, aa) || far(t, b, bb) }' "$work/found" - ||
   { echo "the program and the command differ: $(cat "$work/found")"; exit 1; }
 
-# As a part of another project it builds no tests of its own, and no launcher.
-mkdir "$work/part"
-printf 'cmake_minimum_required(VERSION 3.25)\nproject(part C CXX)\nadd_subdirectory(%s asperity)\n' "$here/../.." > "$work/part/CMakeLists.txt"
-cmake -S "$work/part" -B "$work/part/build" -DASPERITY_LAMMPS=OFF > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-cmake --build "$work/part/build" --target help > "$work/targets"
-grep -q ' asperity_command' "$work/targets" && ! grep -qE ' (test_|liggghts-)' "$work/targets" || { echo "as a part of another project it builds tests or launchers"; exit 1; }
-
 # The manual's pages, one of the command and one of each of its eight, and the shell's completion.
 [ "$(find "$work/prefix" -path '*/man/man1/*.1' | wc -l)" -ge 9 ] || { echo "the manual's pages are not installed"; exit 1; }
 [ -n "$(find "$work/prefix" -path '*/bash-completion/completions/asperity')" ] || { echo "no completion is installed"; exit 1; }
@@ -54,6 +49,7 @@ grep -q ' asperity_command' "$work/targets" && ! grep -qE ' (test_|liggghts-)' "
 # Pages and examples, whose links lead to what is installed.
 doc=$work/prefix/share/doc/asperity
 [ -x "$doc/examples/flat_plate/run" ] && [ -e "$doc/examples/look.gp" ] || { echo "no examples are installed"; exit 1; }
+grep -q 'D. E. Shaw' "$doc/LICENSES/BSD-3-Clause.txt" || { echo "the license of what is compiled in is not installed"; exit 1; }
 [ ! -e "$doc/examples/flat_plate/output" ] || { echo "an example's output is installed"; exit 1; }
 while read -r page; do
   for link in $(grep -oP '\]\(\K[^)\s#]+' "$page" | grep -v '^http'); do

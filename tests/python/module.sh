@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The module asperity beside the built library: where no program is in the path, and so no compiler; where the library
 # is missing, or one of another version; installed by pip without network, from the source tree and from an installed
-# prefix, which pip leaves as they were. Usage: module.sh BUILD [install]: what pip installs, in place of the rest
+# prefix, which pip leaves as they were, and as a wheel. Usage: module.sh BUILD [install]: what pip installs, in place of the rest
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 build=$(cd "$1" && pwd)
@@ -55,16 +55,17 @@ install "$installed"
 rm -r "$work/prefix"
 run "$work/site" "$one"
 
-# A wheel with the library inside, in an environment that has nothing else but NumPy.
-"$python" -m pip wheel --quiet --no-index --no-deps --no-build-isolation -w "$work" "$source_dir" > "$work/log" 2>&1 ||
-  { cat "$work/log"; die "pip wheel"; }
-wheel=$(echo "$work"/asperity-"$version"-*.whl)
-"$python" -m zipfile -l "$wheel" > "$work/log"
-for file in asperity/py.typed asperity/libasperity.so.1; do
-  grep -q "^$file " "$work/log" || die "the wheel has no $file"
-done
+# The wheel, in an environment that has nothing else but NumPy: for any Python 3, with all that it needs and Linux has not.
+cmake --build "$build" --target wheel > "$work/log" 2>&1 || { cat "$work/log"; die "the target wheel"; }
+wheel=$(echo "$build/asperity-$version"-py3-none-manylinux_2_*.whl)
+[ "$(stat -c %s "$wheel")" -le 3000000 ] || die "the wheel has $(stat -c %s "$wheel") bytes"
 "$python" -m venv --without-pip --system-site-packages "$work/venv"
 "$python" -m pip --python "$work/venv/bin/python" install --quiet --no-index --no-deps "$wheel" > "$work/log" 2>&1 ||
   { cat "$work/log"; die "pip install of the wheel"; }
+module=$(dirname "$(find "$work/venv" -name py.typed)")
+for name in $(readelf -d "$module"/*.so* | sed -n 's/.*(NEEDED).*\[\(.*\)\]$/\1/p'); do
+  [ -e "$module/$name" ] || [[ $name =~ ^(lib[cmz]\.so|ld-linux) ]] || die "the wheel has no $name"
+done
+grep -rlq 'D. E. Shaw' "$module"/../asperity-*.dist-info || die "the wheel has no license of what is compiled in"
 python=$work/venv/bin/python
 run "" "$one"

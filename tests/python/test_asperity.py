@@ -1,7 +1,8 @@
 """The module asperity against the command, against itself one by one, and with bad input. The
 command is $ASPERITY_BIN/asperity.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 import copy
 import doctest

@@ -54,6 +54,12 @@ for path in "$src"/*; do
   name=$(basename "$path")
   [ "$name" = CMakeLists.txt ] || echo "$name"
 done | sort > "$work/rooms"
+# What a comment of a header that is installed names, one that is installed declares.
+names() { grep -oE '\basp_[a-z0-9_]*[a-z0-9]\b' | sort -u; }
+cat "$src"/asperity.h "$src"/asperity_engine.h > "$work/public"
+comm -23 <(names < "$work/public") <(gcc -fpreprocessed -dD -E -P -x c "$work/public" | names) > "$work/undeclared"
+while read -r name; do say "a header that is installed speaks of $name, which none declares"; done < "$work/undeclared"
+
 comm -13 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUTING.md does not describe src/$name"; done
 comm -23 "$work/described" "$work/rooms" | while read -r name; do say "CONTRIBUTING.md describes src/$name, which is not there, or twice"; done
 cmp -s "$work/described" "$work/rooms" || bad=1
@@ -107,7 +113,7 @@ if [ -n "$objects" ]; then
     find "$build/src/CMakeFiles" -path '*.dir/*' -name "*.$1.o" | while read -r object; do
       path=${object##*.dir/}
       [ ! -e "$src/${path%.o}" ] || echo "$object"
-    done | xargs nm -A -g ${2:-} | sed -nE 's|^.*/([^/]*\.dir)/([^:]*)\.o:[0-9a-f ]* ([A-Za-z]) (.*)|\1 \2 \3 \4|p'
+    done | xargs -r nm -A -g ${2:-} | sed -nE 's|^.*/([^/]*\.dir)/([^:]*)\.o:[0-9a-f ]* ([A-Za-z]) (.*)|\1 \2 \3 \4|p'
   }
   symbols c > "$work/c"
   symbols cpp -C > "$work/cpp"

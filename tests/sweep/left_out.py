@@ -5,7 +5,8 @@ ASPERITY_BIN=build/bin PYTHONPATH=src/python /usr/bin/python3 tests/sweep/left_o
 
 Heights are c (exp(0.3116 z) - mean) of Gaussian z, whose skew is 1 on the average, with R_q 5 um and lambda_c 40 um (that of z
 is chosen for that, by the autocorrelation of a log-normal process), and the same upside down; 2048 lambda_c of them.
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import tempfile
 import warnings
 

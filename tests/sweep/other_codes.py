@@ -10,7 +10,8 @@ party's description of it, here with the shadow of `truncated`; neither program 
 Without an argument a short run checks what the page says of them; `long` prints the table.
 Usage: PYTHONPATH=src/python python3 tests/sweep/other_codes.py [long]
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 import sys
 

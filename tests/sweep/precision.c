@@ -39,14 +39,14 @@ typedef struct reference {
 } reference;
 
 /* The share of the yield stress that heat leaves. */
-static long double softened(const double *p) {
-  long double over = (long double)p[4] - p[5];
-  return over > 0 ? fmaxl(0, 1 - p[6] * over) : 1;
+static long double softened(const double *p, const aspi_hit *hit) {
+  long double over = (long double)hit->temperature - p[4];
+  return over > 0 ? fmaxl(0, 1 - p[5] * over) : 1;
 }
 
 static long double yield_speed(const double *p, const aspi_hit *hit, long double speed) {
   long double yield = p[0] > 0 ? p[0] * speed : (long double)hit->pair->yield_stress;
-  return yield * softened(p) / sqrtl((long double)hit->density * hit->pair->modulus);
+  return yield * softened(p, hit) / sqrtl((long double)hit->density * hit->pair->modulus);
 }
 
 static reference bons(const double *p, const aspi_hit *hit) {
@@ -59,7 +59,8 @@ static reference bons(const double *p, const aspi_hit *hit) {
   long double left = spring * spring - taken;
   reference r = {.captured = !(left > 0)};
   r.v_n2 = left > 0 ? sqrtl(left) : 0;
-  r.from_capture = fmin((double)(fabsl(left) / fmaxl(spring * spring, taken)), (double)softened(p));
+  r.from_capture =
+      fmin((double)(fabsl(left) / fmaxl(spring * spring, taken)), (double)softened(p, hit));
   long double lost = hit->pair->friction * (n1 + r.v_n2) * t1 * t1 / speed2;
   r.v_t2 = fmaxl(0, t1 - lost);
   r.from_stop = fmin((double)(fabsl(t1 - lost) / fmaxl(t1, lost)), r.from_capture);
@@ -161,8 +162,6 @@ static void choose_parameters(aspi_stream *s, const asp_rebound_law *law, double
     p[0] = power_of_ten(s, 0, 10);
   if (aspi_stream_uniform(s) < 0.3)
     p[3] = between(s, 0, 10);
-  if (aspi_stream_uniform(s) < 0.3)
-    p[4] = between(s, 0, 2000);
 }
 
 static void measure(uint32_t seed, long count, table *normal, table *tangential) {
@@ -180,6 +179,8 @@ static void measure(uint32_t seed, long count, table *normal, table *tangential)
                     .density = power_of_ten(&s, -3, 6),
                     .pair = &pair,
                     .adhesion = true};
+    if (aspi_stream_uniform(&s) < 0.3)
+      hit.temperature = between(&s, 0, 2000);
     choose_energy(&s, p, &pair, &hit);
     choose_friction(&s, p, &pair, &hit);
     reference r = bons(p, &hit);

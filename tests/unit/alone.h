@@ -45,6 +45,9 @@ public:
   void print(const std::string &what) const override {
     printed += what + "\n";
   }
+  Column column(const std::string &) const override {
+    return Column{heats.data(), 1};
+  }
   void diameters(double &smallest, double &largest) const override {
     smallest = least;
     largest = most;
@@ -53,7 +56,8 @@ public:
     return std::vector<Kind>(1, kind);
   }
 
-  double least, most; /* diameters */
+  double least, most;        /* diameters */
+  std::vector<double> heats; /* temperatures */
   Kind kind;
   mutable std::string warned, printed;
 

@@ -45,7 +45,7 @@ static void canonical_texts(void **state) {
   check_text("surface profile 'my blade.csv' dp_bins 4 rebound bons soften 500C 0.001/K yield_rate "
              "3MPa/(m/s) temperature 800 spin on",
              "surface profile \"my blade.csv\" dp_bins 4 spread traced isotropic collisions "
-             "multiple rebound bons yield_rate 3000000 temperature 800 soften 773.15 0.001 spin on "
+             "multiple rebound bons yield_rate 3000000 soften 773.15 0.001 spin on temperature 800 "
              "deposit freeze seed 1");
   check_text("surface profile \"it's\" materials quartz steel",
              "surface profile \"it's\" spread traced isotropic collisions multiple rebound bons "
@@ -73,8 +73,13 @@ static void canonical_texts(void **state) {
              "surface smooth rebound bons adhesion 0.02 adhesion_spread 3 yield_stress 200000000 "
              "scatter 0.3 deposit freeze seed 1");
   check_text("rebound bons temperature 1200 yield_rate 3e6 scatter 0.25 seed 2",
-             "surface smooth rebound bons yield_rate 3000000 temperature 1200 scatter 0.25 deposit "
+             "surface smooth rebound bons yield_rate 3000000 scatter 0.25 temperature 1200 deposit "
              "freeze seed 2");
+  check_text("rebound thornton_ning temperature 900C soften_modulus wall_temperature 1100 exp "
+             "3e20Pa 0.02365/K deposit delete viscosity critical 1e5P vft -4.5 9000 500",
+             "surface smooth rebound thornton_ning temperature 1173.15 soften_modulus exp 3e+20 "
+             "0.02365 wall_temperature 1100 deposit delete viscosity vft -4.5 9000 500 critical "
+             "10000 seed 1");
 }
 
 /* What instruments print becomes rq and lambda_c, by closed forms; R_Sm by its table. */
@@ -178,7 +183,7 @@ static const asp_rebound_law *add_law(char *text) {
     const aspi_keyword *p = &law->parameters[i];
     const char *keyword = aspi_keyword_word(p);
     if (strcmp(keyword, last) != 0) {
-      on = strcmp(keyword, "soften") != 0 || strcmp(last, "temperature") != 0 ? whole(2) : on;
+      on = whole(2);
       if (on)
         add(text, " %s", keyword);
     }
@@ -186,10 +191,14 @@ static const asp_rebound_law *add_law(char *text) {
     if (p->values && on)
       add(text, whole(2) ? " on" : " off");
     else if (on) /* hot enough to be soft */
-      add(text, " %.17g",
-          within(strcmp(p->name, "temperature") == 0 ? 2000 : p->least,
-                 strcmp(p->name, "soften_from") == 0 ? 2000 : p->most));
+      add(text, " %.17g", within(p->least, strcmp(p->name, "soften_from") == 0 ? 2000 : p->most));
   }
+  const bool softens = asp_rebound_needs_pair(law) && whole(2);
+  if (softens)
+    add(text, " soften_modulus exp %.17gPa %.17g wall_temperature %.17g", 1e20 * (1 + uniform()),
+        uniform(), 500 + uniform());
+  if ((softens || law->softening) && whole(2))
+    add(text, " temperature %.17g", 2000 + uniform());
   return law;
 }
 
@@ -205,6 +214,8 @@ static void add_rest(char *text, const asp_rebound_law *law, bool by_rate) {
     add(text, " yield_stress %.17gMPa", 1000 * uniform());
   const bool freezes = !off && whole(2);
   add(text, " deposit %s", off ? "off" : freezes ? "freeze" : "delete");
+  if (!off && whole(2))
+    add(text, " viscosity critical %.17g watt 60 20 %.17g 8 4", 1 + uniform(), 8 * uniform() + 4);
   if (pair && freezes && whole(2))
     add(text, " remove gas_density %.17g gas_viscosity 1 u_tau %.17g", 0.1 + uniform(),
         0.1 + uniform());
@@ -234,6 +245,11 @@ static void check_same(const asp_description *x, const asp_description *y) {
   assert_int_equal(a->deposit, b->deposit);
   assert_memory_equal(a->parameters, b->parameters, sizeof a->parameters);
   assert_memory_equal(&a->flow, &b->flow, sizeof a->flow);
+  assert_ptr_equal(a->heat.viscosity.form, b->heat.viscosity.form);
+  assert_memory_equal(a->heat.viscosity.parameters, b->heat.viscosity.parameters,
+                      5 * sizeof(double));
+  assert_memory_equal(a->heat.modulus.parameters, b->heat.modulus.parameters, 5 * sizeof(double));
+  assert_memory_equal(&a->heat.critical, &b->heat.critical, 3 * sizeof(double));
   assert_int_equal(x->kind, y->kind);
   assert_int_equal(x->lay, y->lay);
   assert_memory_equal(&x->friction, &y->friction, 3 * sizeof x->friction);
@@ -311,10 +327,35 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("oka 1.8GPa", "'oka' belongs behind 'erosion': erosion oka", "");
   refuses("rebound bons walton", "rebound takes one law; 'walton' follows 'bons'", "");
   refuses("spread visible traced", "spread takes one model; 'traced' follows 'visible'", "");
-  refuses("temperature 1200", "'temperature' belongs to 'rebound bons'; put it behind", "");
+  refuses("temperature 1200", "'temperature' belongs behind 'rebound'", "");
   refuses("rebound walton 0.9 0.3 0 spin on", "'spin' belongs to 'rebound bons'", "");
   refuses("rebound walton 0.9 0.3 0 friction 1 compliance 1", "belongs to 'rebound walton'", "");
   refuses("materials quartz steel particles sic", "'particles' belongs to 'erosion oka'", "");
+}
+
+/* Each names the thing, its value and what it must be. */
+static void heat_is_refused(void **state) {
+  (void)state;
+  refuses("deposit off viscosity critical 1e4 vft -4 5000 300", "'viscosity' has no effect",
+          "deposit off");
+  refuses("deposit freeze viscosity critical 0 vft -4 5000 300", "critical is 0", "> 0");
+  refuses("deposit freeze viscosity vft -4 5000 300", "behind 'viscosity'", "critical MU");
+  refuses("deposit freeze viscosity critical 1e4", "'viscosity' lacks its curve", "vft A B C");
+  refuses("deposit freeze viscosity critical 1e4 exp 3e20 0.02", "'exp'", "");
+  refuses("deposit freeze viscosity critical 1e4 vft -4 5000 300 watt 60 20 8 8 4",
+          "'vft' and 'watt'", "one");
+  refuses("deposit freeze viscosity critical 1e4 watt 50 20 5 5 5", "are 85 %", "100");
+  refuses("deposit freeze viscosity critical 1e4 watt 5 5 40 40 10", "SIO2 5 and AL2O3 5", "more");
+  refuses("deposit freeze viscosity critical 1e4 watt 60 20 8 8 -4", "mgo is -4", "0 to 100");
+  refuses("rebound bons temperature 300 deposit freeze viscosity critical 1e4 vft -4 5000 300",
+          "the viscosity is asked for at 300 K", "more than 300 K");
+  refuses("rebound bons temperature 150C deposit freeze viscosity critical 1e4 watt 60 20 8 8 4",
+          "the viscosity is asked for at 423.15 K", "more than 423.15 K");
+  refuses("rebound bons soften_modulus exp 3e20 0.02365", "behind 'soften_modulus'",
+          "wall_temperature T");
+  refuses("rebound walton 0.9 0.3 0 soften_modulus exp 3e20 0.02365 wall_temperature 900",
+          "'soften_modulus' has no effect", "walton");
+  refuses("rebound walton 0.9 0.3 0 temperature 1300", "'temperature' has no effect", "viscosity");
 }
 
 static void words_are_given_once(void **state) {
@@ -596,7 +637,7 @@ static void unset_is_no_number(void **state) {
     assert_true(isnan(asp_description_get(d, names[i])));
   assert_near(asp_description_get(d, "sigma"), 10, 0);
   assert_near(asp_description_get(d, "seed"), 1, 0);
-  assert_near(asp_description_get(d, "temperature"), 0, 0); /* a default of the law */
+  assert_near(asp_description_get(d, "soften_from"), 1000, 0); /* a default of the law */
   assert_int_equal(asp_description_set(d, "friction", 0, NULL), ASP_OK);
   assert_near(asp_description_get(d, "friction"), 0, 0);
   asp_description_free(d);
@@ -819,6 +860,7 @@ int main(void) {
       cmocka_unit_test(canonical_texts),
       cmocka_unit_test(instruments_are_understood),
       cmocka_unit_test(misplaced_words_are_sent_home),
+      cmocka_unit_test(heat_is_refused),
       cmocka_unit_test(words_are_given_once),
       cmocka_unit_test(unset_is_no_number),
       cmocka_unit_test(odd_numbers_are_doubted),

@@ -42,7 +42,7 @@ static double dot(const double *a, const double *b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0, 0};
+static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0, 0, 0};
 static const asp_particle grain = {.d_p = 1e-5, .density = 2650, .pair = &quartz_on_nickel};
 static const double up[3] = {0, 0, 1};
 

@@ -77,7 +77,7 @@ static void sticks_and_rolls(void **state) {
 
 /* Bons with spin: the law's own impulse as long as it is small, rolling where it is large. */
 static void bons_takes_part(void **state) {
-  static const asp_pair pair = {50e9, 2e9, 0, 0.1, 0, 0};
+  static const asp_pair pair = {50e9, 2e9, 0, 0.1, 0, 0, 0};
   asp_wall *off = smooth("bons"), *on = smooth("bons spin on");
   for (double alpha = 0.05; alpha < 1.5; alpha += 0.05) {
     double v1[3] = {cos(alpha), 0, -sin(alpha)};
@@ -100,7 +100,7 @@ static double energy(const double v[3], const double w[3], double r) {
 /* Over random walls, constants, flights and spins, through later hits too. */
 static void energy_with_spin_never_grows(void **state) {
   static const char *const laws[] = {"walton", "bons", "thornton_ning"};
-  static const asp_pair pair = {50e9, 2e8, 0, 0.4, 0, 0};
+  static const asp_pair pair = {50e9, 2e8, 0, 0.4, 0, 0, 0};
   asp_surface *surface = asp_surface_create(0.15, 1, NULL);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   for (uint64_t tag = 1; tag <= 20000; tag++) {
@@ -149,7 +149,7 @@ static double restitution_of(double d_p, double density, const asp_pair *pair, d
 }
 
 static double restitution(double speed, double pressure, double gamma) {
-  asp_pair pair = {E, pressure, gamma, 0, 0, 0};
+  asp_pair pair = {E, pressure, gamma, 0, 0, 0, 0};
   return restitution_of(2 * R, RHO, &pair, speed);
 }
 
@@ -269,11 +269,11 @@ static void published_adhesive_plastic_impacts(void **state) {
   static const double figure[][3] = {{3.04e9, 1, 0.016}, {1e9, 0.9, 0.016}, {0.5e9, 0.5, 0.032}};
   double sticks;
   for (int i = 0; i < 3; i++) {
-    asp_pair pair = {118e9, figure[i][0], 0.1, 0, 0, 0};
+    asp_pair pair = {118e9, figure[i][0], 0.1, 0, 0, 0, 0};
     assert_near(best_of(20e-6, 7850, &pair, &sticks), figure[i][1], 0.015);
     assert_near(sticks, figure[i][2], 0.002);
   }
-  asp_pair fluorescein = {1.31e9, 35.3e6, 0.1, 0, 0, 0};
+  asp_pair fluorescein = {1.31e9, 35.3e6, 0.1, 0, 0, 0, 0};
   best_of(4.9e-6, 1350, &fluorescein, &sticks);
   assert_near(sticks, 1.42, 0.03);
 }
@@ -282,7 +282,7 @@ static void published_adhesive_plastic_impacts(void **state) {
  * d 10 um, digitized), with surface energy 0.28: mean over adhesion of exp(-p t). And a rate that
  * is the rocking itself where the flow pulls more than the deposit holds. */
 static void a_flow_takes_away(void **state) {
-  static const asp_pair pair = {50e9, 2e9, 0.28, 0.3, 0, 0};
+  static const asp_pair pair = {50e9, 2e9, 0.28, 0.3, 0, 0, 0};
   static const double measured[][2] = {
       {0.258, 0.996}, {0.381, 0.941}, {0.525, 0.886}, {1.497, 0.150}, {3.135, 0.061}};
   enum { N = 20000 };
@@ -319,7 +319,7 @@ static void a_flow_takes_away(void **state) {
  * Gamma by which Thornton & Ning's elastic sphere sticks (v_s = 1.84 (Gamma^5/(R^5 rho^3
  * E^2))^(1/6)), to take it away at the full rate. */
 static void holds_by_what_it_sticks(void **state) {
-  const asp_pair pair = {118e9, 1e12, 0.1, 0.3, 0, 0};
+  const asp_pair pair = {118e9, 1e12, 0.1, 0.3, 0, 0, 0};
   const double r = 10e-6, rho = 7850, nu = 1.5e-5, u = 0.5, full = 0.00658 * u * u / nu;
   double sticks, in_wall = r * u / nu;
   best_of(2 * r, rho, &pair, &sticks);

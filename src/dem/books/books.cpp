@@ -272,6 +272,7 @@ void Books::record(const Impact &counted) {
   row[L::ERODED_MASS] = counted.load.eroded;
   row[L::BODY] = static_cast<double>(counted.body);
   aspi_copy(counted.lever, &row[L::LEVER_X]);
+  row[L::TEMPERATURE] = counted.temperature;
   ledger_->add_row(row);
 }
 

@@ -33,7 +33,8 @@ struct Impact {
   asp_key key;
   asp_impact result;
   ContactLoad load;
-  double mass, d_p; /* of the mover, and of the sphere */
+  double mass, d_p;   /* of the mover, and of the sphere */
+  double temperature; /* of the particle, K; 0: unknown */
   int64_t step;
   int64_t body;    /* number of the body that the particle is part of, from 1; 0: none */
   double lever[3]; /* from the body's center of mass to the particle's center */

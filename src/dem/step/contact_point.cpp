@@ -49,6 +49,14 @@ asp_particle ContactPoint::particle(double lay[3]) {
   particle.d_p = 2 * one.radius;
   particle.density = mover.mass / ASP_SPHERE_VOLUME(particle.d_p);
   particle.pair = setup.model.pair(one.type, member.wall_type);
+  if (setup.temperatures.first) {
+    asp_error wrong = {ASP_OK, "it must be more than 0"};
+    const double own = particle.temperature = setup.temperature(mover.i);
+    if (!(own > 0) || asp_wall_sticking(law(), own, NULL, &wrong))
+      throw Error(text("the temperature of particle %lld, by '%s', is %g K: %s",
+                       static_cast<long long>(one.tag), setup.temperature_of.c_str(), own,
+                       wrong.text));
+  }
   aspi_copy(spin, particle.omega);
   if (!mover.is_ball) {
     core_ = mover.core_body(arm);
@@ -79,6 +87,7 @@ Impact ContactPoint::impact(double nth) const {
   made.key.impact = static_cast<uint32_t>(memory.impacts() + nth);
   made.mass = mover.mass;
   made.d_p = 2 * one.radius;
+  made.temperature = wall.setup.temperature(mover.i);
   made.step = now.step;
   made.body = mover.body ? mover.body->tag + 1 : 0;
   aspi_copy(arm, made.lever);

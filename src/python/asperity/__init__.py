@@ -11,7 +11,8 @@ in SI units, angles in radians, from the wall plane; words may have other units 
 column of a result is explained in asperity.h, under the struct of its name. Threads may share a
 wall, and run at the same time.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Where the shared library is: $ASPERITY_LIBRARY, or beside this file (where pip put it), or in
 the prefix that this folder is installed in, or in build/ of the source tree.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 import os
 from pathlib import Path

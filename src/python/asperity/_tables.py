@@ -1,6 +1,7 @@
 """Ledgers and the command's tables as arrays.
 
-SPDX-License-Identifier: GPL-3.0-or-later"""
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 
 from __future__ import annotations
 
