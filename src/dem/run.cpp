@@ -64,7 +64,7 @@ void Run::push_spheres() {
 }
 
 void Run::push_bodies() {
-  if (walls_.back() != this || !walls_.front()->bodies().any())
+  if (walls_.back() != this)
     return;
   Run &first = *walls_.front();
   if (Bodies *all = first.take_bodies()) {

@@ -4,6 +4,7 @@
 #include "dem/setup.h"
 
 #include "dem/error.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
@@ -15,6 +16,8 @@ Setup::Setup(const Engine &of)
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
 void Setup::set_clock(int64_t step, double now_dt) {
   const double now = static_cast<double>(step);
+  if (!(now_dt > 0))
+    throw Error(text("the time step is %g; it must be > 0", now_dt));
   dt = now_dt;
   if (!(clock.dt > 0))
     clock = Clock{engine.time(), now, dt};

@@ -101,8 +101,8 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
   setup.box = box;
   check_box(setup);
   books.begin_run();
-  books.reorder(spheres.n);
   stepper.begin_run(spheres, shape_now_);
+  books.reorder(spheres.n);
   shape_now_.clear();
   fastest_ = 0;
   check_speeds(spheres);
@@ -142,12 +142,11 @@ void Wall::check_use(const Bounds *box, const char *empty_group) {
 
 void Wall::set_rows(double *state) {
   stepper.rows.state = reinterpret_cast<MoverState *>(state);
-  books.set_states(stepper.rows.state);
 }
 
 void Wall::reorder(const Spheres &spheres) {
-  books.reorder(spheres.n);
   stepper.reorder(spheres);
+  books.reorder(spheres.n);
   check_speeds(spheres);
 }
 
@@ -257,6 +256,7 @@ void Wall::restore(const char *record) {
                       changes);
   setup.model.set_sizes(saved.d_range);
   setup.clock = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
+  stepper.dt_ahead = setup.clock.dt;
   restore_meshes(saved);
   if (setup.engine.rank() == 0) /* from which they are claimed */
     stepper.body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {

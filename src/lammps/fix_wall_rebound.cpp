@@ -268,8 +268,13 @@ void FixWallRebound::setup(int) {
   p_->steps = false;
   p_->check_movers();
   p_->attempt([this] {
-    if (p_->region)
-      p_->region->setup();
+    const double off = p_->region ? p_->region->setup() : 0;
+    if (off > 0)
+      p_->warn(
+          text("the region stands %.4g from where the last step has left it; what lies between "
+               "is passed without a contact. Its variables must go on from run to run: by "
+               "'time', not by 'step*dt' behind the command timestep",
+               off));
     if (p_->mesh) {
       p_->mesh->setup(p_->wall.setup.time(static_cast<double>(update->ntimestep)));
       p_->mesh->set_images(p_->box());

@@ -9,9 +9,11 @@
 #include <string>
 
 #include "contact/vector.h"
+#include "dem/text.h"
 #include "region.h"
 
 using namespace LAMMPS_NS;
+using asperity::text;
 
 namespace {
 
@@ -20,6 +22,9 @@ const int FACES = 64;
 
 /* The least relative speed of a path, as a share of the speeds: of one that rides on a part. */
 const double LEAST = 1e-3;
+
+/* An arc over its chord, at most: that of a quarter of a turn is 1.11. */
+const double ARC = 1.2;
 
 /* An axis is along one of the coordinates', or a box as wide as another, within this share; and
  * LAMMPS's 1e20 is endless. */
@@ -79,7 +84,7 @@ public:
 
 RegionPart::RegionPart(Region *region, int number)
     : region_(region), number_(number), moves_(region->moveflag || region->rotateflag), origin_(),
-      axis_(), is_round_(false), pose_(), rate_(), has_rate_(false), dt_(0) {
+      axis_(), is_round_(false), pose_(), rate_(), to_come_(), has_rate_(false), dt_(0) {
   if (!region->rotateflag)
     return;
   AxisOf::read(region, origin_, axis_);
@@ -105,72 +110,93 @@ asperity::Frame RegionPart::frame_of(const Pose &pose) const {
   return frame;
 }
 
-void RegionPart::settle() {
+double RegionPart::settle(const double box[2][3]) {
+  const asperity::Frame before = frame_of(pose_);
   pose_ = pose();
-  motion_.settle(frame_of(pose_), true);
+  motion_.settle(frame_of(pose_), false);
+  frame_ = motion_.end();
+  return has_rate_ ? way(box, before, frame_) : 0;
+}
+
+/* The velocity of a displacement and of a turn. */
+asperity::Twist RegionPart::twist_of(const Pose &at, const Pose &rate) const {
+  double center[3];
+  aspi_copy(origin_, center);
+  aspi_add_scaled(center, 1, at.shift, center);
+  asperity::Twist twist = asperity::twist_about(center, axis_, rate.angle);
+  aspi_add_scaled(twist.linear, 1, rate.shift, twist.linear);
+  return twist;
+}
+
+/* LAMMPS has no velocities: that of the middle of the step is its mean rate. In the step it changes
+ * as much as from the step before; where that is more than the rate itself, as where the part turns
+ * round, the velocity is the mean throughout, so that it does not go against the way from one place
+ * to the other. The end of the step shows what the next one is expected to have beyond that. */
+void RegionPart::advance(double dt) {
+  const Pose last = rate_, before = pose_;
+  Pose begin, end;
+  dt_ = dt;
+  pose_ = pose();
+  asperity::check_turn(text("region '%s'", region_->id), pose_.angle - before.angle);
+  for (int k = 0; k < Pose::COUNT; k++) {
+    rate_[k] = (pose_[k] - before[k]) / dt;
+    const double change = has_rate_ ? rate_[k] - last[k] : 0;
+    const double half = fabs(change) <= fabs(rate_[k]) ? 0.5 * change : 0;
+    begin[k] = rate_[k] - half;
+    end[k] = rate_[k] + half;
+    to_come_[k] = (2 * change - 4 * half) / dt;
+  }
+  has_rate_ = true;
+  motion_.set_last(twist_of(before, begin));
+  motion_.advance(frame_of(pose_), twist_of(pose_, end), dt);
   frame_ = motion_.end();
 }
 
-/* The rate of a step is its mean, valid at its middle; at its end it is extrapolated from the last
- * change. */
-void RegionPart::advance(double dt) {
-  const Pose last = rate_, before = pose_;
-  Pose end;
-  double center[3];
-  dt_ = dt;
-  pose_ = pose();
-  for (int d = 0; d < 3; d++) {
-    rate_.shift[d] = (pose_.shift[d] - before.shift[d]) / dt;
-    end.shift[d] = rate_.shift[d] + (has_rate_ ? 0.5 * (rate_.shift[d] - last.shift[d]) : 0);
-  }
-  rate_.angle = (pose_.angle - before.angle) / dt;
-  end.angle = rate_.angle + (has_rate_ ? 0.5 * (rate_.angle - last.angle) : 0);
-  has_rate_ = true;
-  aspi_add_scaled(origin_, 1, pose_.shift, center);
-  asperity::Twist twist = asperity::twist_about(center, axis_, end.angle);
-  aspi_add_scaled(twist.linear, 1, end.shift, twist.linear);
-  motion_.advance(frame_of(pose_), twist, dt);
-  frame_ = motion_.end();
+void RegionPart::end_acceleration(const double x[3], const double v[3], double a[3]) const {
+  double more[3];
+  motion_.acceleration(1, x, v, a);
+  twist_of(pose_, to_come_).velocity(x, more);
+  aspi_add_scaled(a, 1, more, a);
 }
 
 void RegionPart::append_record(std::vector<double> &record) const {
-  if (!has_rate_)
-    return;
-  const asperity::Twist &last = motion_.last();
-  for (const double *three : {rate_.shift, last.angular, last.linear})
-    record.insert(record.end(), three, three + 3);
-  record.push_back(rate_.angle);
+  for (int k = 0; k < Pose::COUNT && has_rate_; k++) {
+    record.push_back(rate_[k]);
+    record.push_back(pose_[k]);
+  }
 }
 
 void RegionPart::restore(const double *record) {
-  asperity::Twist last;
-  aspi_copy(record, rate_.shift);
-  aspi_copy(record + 3, last.angular);
-  aspi_copy(record + 6, last.linear);
-  rate_.angle = record[9];
+  for (int k = 0; k < Pose::COUNT; k++) {
+    rate_[k] = *record++;
+    pose_[k] = *record++;
+  }
   has_rate_ = true;
-  motion_.set_last(last);
 }
 
 double RegionPart::travel(const double box[2][3]) const {
+  return ARC * way(box, motion_.frame_at(0), motion_.end());
+}
+
+/* How far a face moves at most from one frame to another, straight. */
+double RegionPart::way(const double box[2][3], const asperity::Frame &from,
+                       const asperity::Frame &to) const {
   double own[2][3] = {}, size[3], own_size[3], most = 0;
-  if (is_round_)
-    return dt_ * aspi_length(rate_.shift);
   aspi_subtract(box[1], box[0], size);
   const bool ends = extent(region_, own);
   aspi_subtract(own[1], own[0], own_size);
   const bool is_smaller = ends && aspi_length(own_size) < aspi_length(size);
   const double(*of)[3] = is_smaller ? own : box;
   for (int corner = 0; corner < 8; corner++) {
-    double x[3], v[3];
+    double x[3], begin[3], end[3];
     for (int d = 0; d < 3; d++)
-      x[d] = of[corner >> d & 1][d];
-    if (is_smaller)
-      motion_.end().to_world(x, x);
-    for (double share : {0.0, 1.0}) {
-      motion_.velocity(share, x, v);
-      most = std::max(most, dt_ * aspi_length(v));
-    }
+      x[d] = is_round_ ? origin_[d] : of[corner >> d & 1][d];
+    if (!is_smaller && !is_round_)
+      to.to_local(x, x);
+    from.to_world(x, begin);
+    to.to_world(x, end);
+    aspi_subtract(end, begin, begin);
+    most = std::max(most, aspi_length(begin));
   }
   return most;
 }

@@ -40,8 +40,9 @@ public:
     return motion_;
   }
 
-  /* At the beginning of a run, and at the end of each step: what LAMMPS has. */
-  void settle();
+  /* At the beginning of a run, and at the end of each step: what LAMMPS has. settle: how far a face
+   * within a box has moved since the last step, which is 0 where the run continues one. */
+  double settle(const double box[2][3]);
   void advance(double dt);
 
   /* The distance that a face within a box moves in this step, at most; and the angular speed. */
@@ -62,18 +63,30 @@ public:
    * the whole part, from outside. */
   void add_feet(const double x[3], double reach, std::vector<RegionFoot> &feet) const;
 
+  /* Motion::acceleration() at the end of the step, of what the next one is expected to do. */
+  void end_acceleration(const double x[3], const double v[3], double a[3]) const;
+
   /* What a run that continues this one must know, N_RECORD numbers; none before the first step. */
-  enum { N_RECORD = 10 };
+  enum { N_RECORD = 8 };
   void append_record(std::vector<double> &record) const;
   void restore(const double *record);
 
 private:
   /* A displacement, and an angle about the part's axis; or their rates. */
   struct Pose {
+    enum { COUNT = 4 };
     double shift[3], angle;
+    double &operator[](int k) {
+      return k < 3 ? shift[k] : angle;
+    }
+    double operator[](int k) const {
+      return k < 3 ? shift[k] : angle;
+    }
   };
   Pose pose() const;
   asperity::Frame frame_of(const Pose &pose) const;
+  asperity::Twist twist_of(const Pose &at, const Pose &rate) const;
+  double way(const double box[2][3], const asperity::Frame &from, const asperity::Frame &to) const;
 
   Region *region_;
   int number_;
@@ -81,6 +94,7 @@ private:
   double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
   bool is_round_;              /* about that axis: it looks the same however far it has turned */
   Pose pose_, rate_;           /* at the end of the step, and in its mean */
+  Pose to_come_;               /* acceleration at its end beyond that in the step */
   bool has_rate_;
   double dt_;
   asperity::Motion motion_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "contact/tolerances.h"
 #include "contact/vector.h"
 #include "domain.h"
 #include "modify.h"
@@ -138,16 +139,26 @@ void RegionShape::init() {
 /* ---- how it moves -----------------------------------------------------------------------------
  */
 
+/* A region's box may be endless; that of the simulation is not. */
+static void simulation_box(const Domain *domain, double box[2][3]) {
+  aspi_copy(domain->boxlo, box[0]);
+  aspi_copy(domain->boxhi, box[1]);
+}
+
 static void read_variables(LAMMPS *lammps, Region *region) {
   lammps->modify->clearstep_compute();
   region->prematch();
   lammps->modify->addstep_compute(lammps->update->ntimestep + 1);
 }
 
-void RegionShape::setup() {
+double RegionShape::setup() {
+  double box[2][3], most = 0;
   read_variables(lammps_, root_.region);
+  simulation_box(lammps_->domain, box);
   for (RegionPart &part : parts_)
-    part.settle();
+    most = std::max(most, part.settle(box));
+  aspi_subtract(box[1], box[0], box[1]);
+  return most > asperity::ROUNDING * aspi_length(box[1]) ? most : 0;
 }
 
 void RegionShape::begin_step() {
@@ -165,12 +176,9 @@ void RegionShape::begin_step() {
   speed_ = travel(dt) / dt;
 }
 
-/* A region's box may be endless; the box of the simulation is not. */
 double RegionShape::travel(double) const {
-  const Domain *domain = lammps_->domain;
   double box[2][3], most = 0;
-  aspi_copy(domain->boxlo, box[0]);
-  aspi_copy(domain->boxhi, box[1]);
+  simulation_box(lammps_->domain, box);
   for (const RegionPart &part : parts_)
     if (part.moves())
       most = std::max(most, part.travel(box));
@@ -308,7 +316,7 @@ bool RegionShape::under(int face, const double x[3], const double v[3], double r
     at.face = face;
     if (part.moves()) {
       part.motion().velocity(1, point, at.v_wall);
-      part.motion().acceleration(1, x, v, u);
+      part.end_acceleration(x, v, u);
       at.follow = aspi_dot(u, at.n);
     }
     aspi_subtract(v, at.v_wall, u);

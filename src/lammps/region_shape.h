@@ -26,8 +26,9 @@ public:
   /* Before a run: it may have been deleted, or defined anew. Throws an asperity::Error. */
   void init();
 
-  /* At the beginning of a run, and of each step: its variables are computed; collective. */
-  void setup();
+  /* At the beginning of a run, and of each step: its variables are computed; collective. setup: how
+   * far it stands from where the last step has left it. */
+  double setup();
   void begin_step();
 
   double travel(double dt) const override;

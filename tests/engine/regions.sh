@@ -168,3 +168,38 @@ for bits in 1 165; do
   MALLOC_PERTURB_=$bits engine 1 moving.in
   table a=moving.in.screen 'assert a[-1][1] == 100 and a[-1][2] > 100' || die "a room that moves, with memory of $bits"
 done
+
+# A room that turns round every second step, by more than the grains' size, keeps them; one whose variables depend on
+# step*dt stands elsewhere after the command timestep, which gives a warning; no wall may turn by 115 degrees in a step.
+shaken() { # LINES MOTION
+  { head_of si
+    echo "region box block -0.05 0.05 -0.05 0.05 -0.05 0.05 units box
+create_box 2 box
+region fill block -0.008 0.008 -0.008 0.008 -0.008 0.008 units box
+create_atoms 1 random 60 4711 fill
+set group all diameter 1e-3 density 2500
+velocity all create 1 4711
+neighbor 5e-3 bin
+neigh_modify delay 0 exclude group all all
+fix move all nve/sphere
+variable x equal 0.003*sin(2*PI*step/4)
+variable a equal 2*step
+region r block -0.01 0.01 -0.01 0.01 -0.01 0.01 units box $2
+fix low all wall/rebound region r type 2 rebound constant 0.8 1 deposit off
+variable stay equal count(all,r)
+thermo_style custom step f_low v_stay
+timestep 1e-4
+$1"; }
+}
+shaken 'thermo 100
+run 401
+timestep 2e-4
+run 1' 'move v_x NULL NULL' > shaken.in
+engine 1 shaken.in
+table a=shaken.in.screen 'assert all(row[2] == 60 for row in a) and a[-1][1] > 1000' || die 'a room that is shaken'
+! grep -q 'stands .* from where' shaken.in.screen || die 'a warning of a region that stands where it was'
+sed 's,step/4,step*dt/4e-4,; s/401/1/' shaken.in > elsewhere.in
+engine 1 elsewhere.in
+grep -q 'the region stands 0.003 from where the last step' elsewhere.in.screen || die 'no warning of a region that stands elsewhere'
+shaken 'run 1' 'rotate v_a 0 0 0 0 0 1' > turned.in
+refuses 1 turned.in "region 'r' turns by 114.6 degrees in a step"

@@ -118,6 +118,34 @@ void is_a_solution(void **) {
     }
 }
 
+/* In a narrow V each side carries half of the weight, whatever the friction. */
+void narrow_places_carry(void **) {
+  const double radius = 0.3, mass = 1;
+  const int one = 1;
+  Spheres spheres = Spheres();
+  spheres.n = spheres.tag_bytes = 4;
+  spheres.mask = spheres.type = &one;
+  spheres.tag = &one;
+  spheres.radius = &radius;
+  spheres.mass = &mass;
+  const Mover ball(spheres, 0);
+  for (double friction : {0., 0.01, 0.1, 0.5})
+    for (double angle : {1e-3, 0.01, 0.02, 0.04, 0.1, 0.5}) {
+      std::vector<Held> sides(2);
+      for (int k = 0; k < 2; k++) {
+        sides[k].n[0] = k ? -cos(angle) : cos(angle);
+        sides[k].n[1] = 0;
+        sides[k].n[2] = sin(angle);
+        sides[k].friction = friction;
+      }
+      double v[3] = {0, 0.01, -1}, omega[3] = {0, 0, 0};
+      assert_true(solve_held(ball, sides, v, omega));
+      assert_true(fabs(v[0]) < 1e-6 && fabs(v[2]) < 1e-4);
+      for (const Held &side : sides)
+        assert_true(fabs(side.p[2] - 0.5) < 1e-4);
+    }
+}
+
 /* How the axes of a free body change. */
 void rates(const double inertia[3], const double momentum[3], const double axes[9], double out[9]) {
   double omega[3] = {0, 0, 0};
@@ -179,8 +207,8 @@ void balls_are_found(void **) {
 } // namespace
 
 int main() {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(is_a_solution),
-                                     cmocka_unit_test(turns_freely),
-                                     cmocka_unit_test(balls_are_found)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(is_a_solution), cmocka_unit_test(narrow_places_carry),
+      cmocka_unit_test(turns_freely), cmocka_unit_test(balls_are_found)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <string.h>
+
+#include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/shapes/motion.h"
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,9 +17,6 @@
 extern "C" {
 #include <cmocka.h>
 }
-
-#include "contact/vector.h"
-#include "dem/shapes/motion.h"
 
 using namespace asperity;
 
@@ -77,6 +80,17 @@ void test_steady(void **) {
       twist_of(angle, 0.3 * angle).velocity(should, v_should);
       assert_true(distance(v, v_should) < 1e-13 * (1 + angle));
     }
+  }
+}
+
+/* More than a quarter of a turn in a step is an error. */
+void test_fast_turns(void **) {
+  check_turn("mesh 'm'", 1.57);
+  try {
+    check_turn("mesh 'm'", -1.58);
+    assert_true(false);
+  } catch (const Error &wrong) {
+    assert_non_null(strstr(wrong.what(), "mesh 'm' turns by 90.53 degrees in a step"));
   }
 }
 
@@ -183,8 +197,9 @@ void test_rest(void **) {
 } // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(test_frames),       cmocka_unit_test(test_steady),
-                              cmocka_unit_test(test_second_order), cmocka_unit_test(test_summed),
-                              cmocka_unit_test(test_follow),       cmocka_unit_test(test_rest)};
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(test_frames),         cmocka_unit_test(test_steady), cmocka_unit_test(test_fast_turns),
+      cmocka_unit_test(test_second_order),   cmocka_unit_test(test_summed),
+      cmocka_unit_test(test_follow),         cmocka_unit_test(test_rest)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,7 +23,8 @@ const char *const Books::SUM_NAMES[] = {"impacts",        "deposited_mass",     
 static const size_t SHOWN = 32768;
 
 Books::Books(const Setup &setup)
-    : setup_(setup), states_(NULL), counters_(), kept_(), step_(), torque_about_() {}
+    : setup_(setup), rows_(NULL), is_in_step_(false), counters_(), kept_(), step_(),
+      torque_about_() {}
 
 void Books::add_shape() {
   const size_t size = setup_.shapes.back().pieces * N_SUMS;
@@ -108,20 +109,39 @@ void Books::begin_run() {
 
 void Books::reorder(int n) {
   loaded_.clear();
+  waiting_.clear();
   kept_ = Impulses();
-  for (int i = 0; i < n; i++)
-    if (aspi_dot(states_[i].force, states_[i].force) > 0)
+  for (int i = 0; i < n; i++) {
+    const Memory *of = rows_->find(i);
+    if (aspi_dot(rows_->state[i].force, rows_->state[i].force) > 0)
       loaded_.push_back(i);
+    if (of && !of->load.empty())
+      waiting_.push_back(i);
+  }
 }
 
 void Books::begin_step(int64_t step) {
   expire();
-  for (int i : loaded_)
-    for (int d = 0; d < 3; d++)
-      states_[i].force[d] = states_[i].point[d] = 0;
-  loaded_.clear();
+  is_in_step_ = true;
   if (ledger_)
     ledger_->begin_step(step);
+}
+
+void Books::begin_end() {
+  expire();
+  is_in_step_ = false;
+  for (int i : loaded_)
+    if (!(rows_->is_stuck(i) && rows_->stuck(i).is_kept > 0))
+      for (int d = 0; d < 3; d++)
+        rows_->state[i].force[d] = rows_->state[i].point[d] = 0;
+  loaded_.clear();
+  for (int i : waiting_) {
+    Memory &of = rows_->own(i);
+    aspi_copy(of.load[0].force, rows_->state[i].force);
+    aspi_copy(of.load[0].point, rows_->state[i].point);
+    of.load.clear();
+  }
+  loaded_.swap(waiting_);
 }
 
 /* Force and torque are the impulses of the whole step over its length, which may be 0. */
@@ -184,39 +204,45 @@ void Books::add_impulses(const Impulses &all) {
 
 void Books::keep_load(int i, const double x[3], const double v[3], double mass) {
   double p[3] = {mass * v[0], mass * v[1], mass * v[2]};
-  if (!(aspi_dot(v, v) > 0))
-    return;
   const Impulses its = impulses_at(x, p);
   aspi_add_scaled(kept_.p, 1, its.p, kept_.p);
   aspi_add_scaled(kept_.turn, 1, its.turn, kept_.turn);
-  aspi_scale(2 / setup_.dt, p);
-  aspi_copy(p, states_[i].force);
-  aspi_copy(x, states_[i].point);
+  add_force(i, p, aspi_dot(v, v) > 0 ? x : p);
 }
 
 void Books::drop_load(int i, const double x[3], const double v[3], double mass, double share) {
   const double p[3] = {mass * v[0], mass * v[1], mass * v[2]};
   const Impulses its = impulses_at(x, p);
-  MoverState &of = states_[i];
+  MoverState &of = rows_->state[i];
   aspi_add_scaled(kept_.p, -1, its.p, kept_.p);
   aspi_add_scaled(kept_.turn, -1, its.turn, kept_.turn);
-  aspi_scale(share, of.force);
-  aspi_scale(share > 0, of.point);
-  if (aspi_dot(of.force, of.force) > 0)
+  if (share > 0)
+    aspi_scale(share, of.force);
+  loaded_.push_back(i);
+}
+
+void Books::add_force(int i, const double p[3], const double point[3]) {
+  double *force = rows_->state[i].force, *at = rows_->state[i].point;
+  if (is_in_step_) {
+    std::vector<Load> &load = rows_->own(i).load;
+    if (load.empty()) {
+      load.push_back(Load());
+      waiting_.push_back(i);
+    }
+    force = load[0].force;
+    at = load[0].point;
+  } else if (!(aspi_dot(force, force) > 0))
     loaded_.push_back(i);
+  aspi_add_scaled(force, 1 / setup_.dt, p, force);
+  aspi_copy(point, at);
 }
 
 void Books::add_load(size_t shape, const ContactLoad &load) {
   ShapeSums &sums = shapes_[shape];
   add_impulses(impulses_at(load.point, load.impulse));
   aspi_add_scaled(step_.turn, 1, load.couple, step_.turn);
-  if (load.particle >= 0) {
-    MoverState &of = states_[load.particle];
-    if (!(aspi_dot(of.force, of.force) > 0))
-      loaded_.push_back(load.particle);
-    aspi_add_scaled(of.force, 1 / setup_.dt, load.impulse, of.force);
-    aspi_copy(load.point, of.point);
-  }
+  if (load.particle >= 0)
+    add_force(load.particle, load.impulse, load.point);
   if (aspi_dot(load.n, load.n) > 0) {
     double along[3];
     const double normal = -aspi_dot(load.impulse, load.n);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/vector.h"
 #include "dem/books/ledger.h"
 #include "dem/books/record.h"
 #include "dem/text.h"
@@ -86,24 +87,33 @@ public:
   void init();
   void begin_run();
 
-  /* The rows of this rank's particles; and after they have changed places, how many there are. */
-  void set_states(MoverState *states) {
-    states_ = states;
+  /* What this rank's particles remember; and after they have changed places, how many there are. */
+  void set_rows(Memories *rows) {
+    rows_ = rows;
   }
   void reorder(int n);
 
-  /* Until end_loads(), FORCE and TORQUE are those of the step before. */
+  /* Until end_loads(), FORCE and TORQUE are those of the step before; until begin_end(), the forces
+   * of particles are. */
   void begin_step(int64_t step);
+  void begin_end();
   void end_loads();
+  bool is_in_step() const {
+    return is_in_step_;
+  }
   /* An impact, with its load. */
   void count(const Impact &impact);
   void add_load(size_t shape, const ContactLoad &load);
 
   /* keep_load: repeats this load of a stuck particle, at x, from v, with this mass, in every half
-   * step. drop_load: stops repeating it; `share` of the current step has passed. add_kept_loads:
-   * adds all repeated loads once. */
+   * step. drop_load: stops repeating it; `share` of the current step has passed. show_kept: the
+   * particle's force, in the first step at its end. add_kept_loads: adds all repeated loads once.
+   */
   void keep_load(int i, const double x[3], const double v[3], double mass);
   void drop_load(int i, const double x[3], const double v[3], double mass, double share);
+  void show_kept(int i) {
+    aspi_scale(2, rows_->state[i].force);
+  }
   void add_kept_loads() {
     add_impulses(kept_);
   }
@@ -158,12 +168,14 @@ private:
   struct Impulses {
     double p[3], turn[3];
   };
+  void add_force(int i, const double p[3], const double point[3]);
   Impulses impulses_at(const double point[3], const double p[3]) const;
   void add_impulses(const Impulses &all);
 
   const Setup &setup_;
-  MoverState *states_;
-  std::vector<int> loaded_; /* particles with a force */
+  Memories *rows_;
+  bool is_in_step_;                   /* between begin_step() and begin_end() */
+  std::vector<int> loaded_, waiting_; /* particles with a force; and with one of this step */
   std::vector<ShapeSums> shapes_;
   std::unique_ptr<Ledger> ledger_;
   double counters_[N_COUNTERS];

@@ -7,8 +7,11 @@
 
 #include <math.h>
 
+#include "asperity_engine.h"
 #include "contact/tolerances.h"
 #include "contact/vector.h"
+#include "dem/error.h"
+#include "dem/text.h"
 
 using namespace asperity;
 
@@ -138,6 +141,15 @@ Twist asperity::twist_about(const double point[3], const double axis[3], double 
   aspi_add_scaled(twist.angular, rate, axis, twist.angular);
   aspi_cross(point, twist.angular, twist.linear);
   return twist;
+}
+
+void asperity::check_turn(const std::string &wall, double angle) {
+  const double degrees = fabs(angle) * 180 / ASP_PI;
+  if (!(degrees <= 90))
+    throw Error(
+        text("%s turns by %.4g degrees in a step; it must be at most 90, so that its way is "
+             "known: take a shorter time step",
+             wall.c_str(), degrees));
 }
 
 Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}

@@ -8,6 +8,8 @@
 #ifndef ASPERITY_DEM_MOTION_H
 #define ASPERITY_DEM_MOTION_H
 
+#include <string>
+
 namespace asperity {
 
 /* world = turn * local + shift */
@@ -30,6 +32,10 @@ struct Twist {
 /* The turn by an angle about an axis (a unit vector) through a point, and that at a rate. */
 Frame turn_about(const double point[3], const double axis[3], double angle);
 Twist twist_about(const double point[3], const double axis[3], double rate);
+
+/* Throws an Error if a wall turns by more than a quarter of a turn in a step: then its way there is
+ * not known. */
+void check_turn(const std::string &wall, double angle);
 
 class Motion {
 public:

@@ -59,6 +59,10 @@ double Ahead::bend(double radius) {
   return BEND * STRAY * radius;
 }
 
+void Ahead::watch(int i) {
+  due_[i] = -(now_ + STAYS_NEAR);
+}
+
 void Ahead::clear() {
   now_ = 0;
   std::fill(due_.begin(), due_.end(), 0);

@@ -46,6 +46,8 @@ public:
   void expire(int i) {
     due_[i] = 0;
   }
+  /* Takes one as near for some steps: what it rests at has not held it yet. */
+  void watch(int i);
 
   /* How far sustained contacts may bend the way of a particle within a step. */
   static double bend(double radius);

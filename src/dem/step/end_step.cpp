@@ -42,42 +42,6 @@ struct Hold {
   Memory *memory;
 };
 
-/* The contact at which a sphere rests, with the mover's velocity and spin; false: it is there no
- * more. off: how far the sphere is in the wall. */
-bool look_under(const AtEnd &now, Stepper &wall, Rest &rest, const double v[3],
-                const double spin[3], Held &at, double &off) {
-  const Mover &mover = now.mover;
-  double u[3], distance;
-  at.wall = &wall;
-  at.rest = &rest;
-  at.shape = static_cast<size_t>(rest.shape) - 1;
-  at.sphere = mover.is_ball ? 0 : mover.number_of(rest.sphere);
-  if (at.sphere == mover.count || at.shape >= wall.setup.shapes.size())
-    return false;
-  aspi_copy(now.x, at.x);
-  aspi_copy(v, u);
-  if (!mover.is_ball) {
-    double arm[3], across[3];
-    mover.arm(at.sphere, arm);
-    aspi_add_scaled(at.x, 1, arm, at.x);
-    aspi_cross(spin, arm, across);
-    aspi_add_scaled(u, 1, across, u);
-  }
-  aspi_copy(NONE, at.n);
-  aspi_copy(NONE, at.v_wall);
-  at.follow = at.curve = 0;
-  const double radius = mover.sphere[at.sphere].radius;
-  if (!wall.setup.shapes[at.shape].shape->under(static_cast<int>(rest.face), at.x, u,
-                                                (1 + NEAR) * radius, at, distance))
-    return false;
-  at.piece = at.face < 0 ? ~at.face : at.face;
-  off = radius - distance;
-  if (!(fabs(at.curve) > 0))
-    return true;
-  aspi_subtract(u, at.v_wall, u);
-  return fabs(at.curve) * now.dt < CURVE * aspi_length(u);
-}
-
 /* The hold of the valley at a rough wall; where the sphere has come to the next face, it hits that.
  * True where it has. */
 bool meet_face(AtEnd &now, Touch &touch, double &hold, bool &sticks) {
@@ -117,6 +81,7 @@ private:
   bool find(const std::vector<Hold> &by, AtEnd &now, const double v[3], const double spin[3],
             bool &sticks);
   void keep(const std::vector<Hold> &by, const AtEnd &now, const double v[3], const double spin[3]);
+  void let_pass(AtEnd &now, const double v[3]);
   void drop(Rest &rest) {
     rest.shape = 0;
     any_dropped_ = true;
@@ -139,7 +104,7 @@ bool Resting::find(const std::vector<Hold> &by, AtEnd &now, const double v[3], c
       if (held_.size() == count_)
         held_.push_back(Held());
       Held &at = held_[count_];
-      if (!look_under(now, *one.wall, rest, v, spin, at, off)) {
+      if (!find_rest(mover, *one.wall, rest, now.x, v, spin, now.dt, at, off)) {
         drop(rest);
         continue;
       }
@@ -209,6 +174,21 @@ void Resting::keep(const std::vector<Hold> &by, const AtEnd &now, const double v
   }
 }
 
+/* Between walls that close the mover goes with their mean velocity; the next flight finds out. */
+void Resting::let_pass(AtEnd &now, const double v[3]) {
+  double p[3];
+  aspi_subtract(v, now.v, p);
+  aspi_scale(1 / static_cast<double>(count_), p);
+  for (size_t k = 0; k < count_; k++) {
+    const Held &at = held_[k];
+    at.wall->books.add_load(at.shape,
+                            now.mover.load(at.sphere, at.piece, at.x, at.n, now.x, p, NONE));
+    drop(*at.rest);
+  }
+  count_ = 0;
+  aspi_copy(v, now.v);
+}
+
 bool Resting::hold(const std::vector<Hold> &by, AtEnd &now) {
   double v[3], spin[3];
   bool sticks = false;
@@ -219,12 +199,8 @@ bool Resting::hold(const std::vector<Hold> &by, AtEnd &now) {
   } while (!find(by, now, v, spin, sticks) && !sticks);
   if (sticks)
     return true;
-  if (!solve_held(now.mover, HeldList(held_.data(), count_), v, spin)) {
-    for (size_t k = 0; k < count_; k++) /* walls that close: the next flight finds out */
-      drop(*held_[k].rest);
-    count_ = 0;
-    aspi_copy(v, now.v);
-  }
+  if (!solve_held(now.mover, HeldList(held_.data(), count_), v, spin))
+    let_pass(now, v);
   keep(by, now, v, spin);
   aspi_add_scaled(now.v, 0.5 * now.dt, push, now.v);
   aspi_add_scaled(now.spin, 0.5 * now.dt, twist, now.spin);
@@ -373,30 +349,97 @@ static void end_movers(const Walls &walls, const Movers &movers) {
               [&](const std::vector<Hold> &by, int i) { end_one(by, movers, i, resting); });
 }
 
-/* Where the script has changed the forces, the walls' old ones would move what rests, and the next
- * step finds new ones. */
+/* What the walls at which a mover rests add to it until the middle of the next step. */
+static void add_up(const std::vector<Hold> &by, double push[3], double twist[3]) {
+  aspi_copy(NONE, push);
+  aspi_copy(NONE, twist);
+  for (const Hold &one : by)
+    for (const Rest &rest : one.memory->rests) {
+      aspi_add_scaled(push, 1, rest.push, push);
+      aspi_add_scaled(twist, 1, rest.twist, twist);
+    }
+}
+
 void asperity::push_again(const Walls &walls, const Movers &movers) {
   for_resting(walls, movers, [&](const std::vector<Hold> &by, int i) {
-    const Mover mover(movers, i);
-    const double *before = by[0].memory->free;
-    double push[3] = {0, 0, 0}, twist[3] = {0, 0, 0}, change[3];
-    Instant now;
+    double push[3], twist[3];
+    add_up(by, push, twist);
+    movers.push(Mover(movers, i), push, twist);
+  });
+}
+
+/* Books a part of a mover's kicks, times which are the walls' again. */
+static void book_ahead(const std::vector<Hold> &by, const Movers &movers, const Mover &mover,
+                       const Instant &now, double time) {
+  for (const Hold &one : by)
+    for (Rest &rest : one.memory->rests) {
+      Held at;
+      double off, p[3], turned[3];
+      find_rest(mover, *one.wall, rest, now.x, now.v, now.spin, movers.dt, at, off);
+      aspi_copy(rest.push, p);
+      aspi_copy(rest.twist, turned);
+      aspi_scale(time, p);
+      aspi_scale(time, turned);
+      if (at.sphere < mover.count && at.shape < one.wall->setup.shapes.size())
+        one.wall->books.add_load(at.shape,
+                                 mover.load(at.sphere, at.piece, at.x, at.n, now.x, p, turned));
+    }
+}
+
+/* True if two accelerations are the same, to the rounding of what is summed up in them. */
+static bool is_same(const double a[3], const double b[3], const double push[3]) {
+  double off[3];
+  aspi_subtract(a, b, off);
+  return !(aspi_length(off) > ROUNDING * (aspi_length(b) + aspi_length(push)));
+}
+
+void asperity::check_ahead(const Walls &walls, const Movers &movers) {
+  const double before = walls[0]->dt_ahead, dt = movers.dt;
+  if (!walls[0]->begins && !(before < dt) && !(before > dt))
+    return;
+  for_resting(walls, movers, [&](const std::vector<Hold> &by, int i) {
+    Mover mover(movers, i);
+    Instant now, start;
+    double push[3], twist[3], free[3];
+    add_up(by, push, twist);
+    movers.read(mover, now);
     movers.read_rates(mover, now);
-    aspi_subtract(now.a, before, change);
-    if (aspi_length(change) > ROUNDING * aspi_length(before))
+    start = now;
+    aspi_add_scaled(now.x, -dt, now.v, start.x);
+    aspi_subtract(now.a, push, free);
+    if (is_same(free, by[0].memory->free, push)) {
+      if (before < dt || before > dt)
+        book_ahead(by, movers, mover, start, 0.5 * (dt - before));
       return;
-    for (const Hold &one : by)
-      for (const Rest &rest : one.memory->rests) {
-        aspi_add_scaled(push, 1, rest.push, push);
-        aspi_add_scaled(twist, 1, rest.twist, twist);
+    }
+    book_ahead(by, movers, mover, start, -0.5 * before);
+    if (!is_same(now.a, by[0].memory->free, push)) {
+      aspi_add_scaled(now.v, -0.5 * dt, push, now.v);
+      aspi_add_scaled(now.x, -0.5 * dt * dt, push, now.x);
+      aspi_add_scaled(now.spin, -0.5 * dt, twist, now.spin);
+      if (mover.body)
+        mover.turn(twist, -0.5 * dt * dt);
+      movers.place(mover, now.x);
+      movers.write(mover, now.v, now.spin);
+      aspi_scale(-1, push);
+      aspi_scale(-1, twist);
+      movers.push(mover, push, twist);
+    }
+    for (const Hold &one : by) {
+      for (Rest &rest : one.memory->rests) {
+        aspi_copy(NONE, rest.push);
+        aspi_copy(NONE, rest.twist);
       }
-    movers.push(mover, push, twist);
+      movers.members(*one.wall).ahead.watch(i);
+    }
   });
 }
 
 void asperity::end_walls(const Walls &walls, const Spheres &spheres, Bodies *bodies) {
-  for (Stepper *wall : walls)
-    wall->books.expire();
+  for (Stepper *wall : walls) {
+    wall->books.begin_end();
+    wall->dt_ahead = spheres.dt;
+  }
   end_movers(walls, spheres);
   if (!bodies)
     return;

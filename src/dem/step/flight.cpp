@@ -35,9 +35,10 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
 /* ---- the path ---------------------------------------------------------------------------------
  */
 
-Flight::Flight(Mover &m, const Movers &movers, const Instant &now)
-    : mover(m), dt(movers.dt), step(movers.step), is_led(true), squeezed(false),
-      searches_all(m.body), is_apart(false), way(0), series_begin(0) {
+Flight::Flight(Mover &m, const Movers &movers, const Instant &now,
+               const std::vector<Stepper *> &walls)
+    : mover(m), dt(movers.dt), step(movers.step), is_held(true), is_led(true), squeezed(false),
+      searches_all(m.body), is_apart(false), way(0), series_begin(0), walls_(walls) {
   path.left = path.dt = stretch = dt;
   path.rest = 0;
   aspi_copy(now.v, path.v);
@@ -49,6 +50,13 @@ Flight::Flight(Mover &m, const Movers &movers, const Instant &now)
   aspi_copy(v0, begin);
   aspi_copy(acceleration, a0);
   aspi_copy(acceleration, free);
+  double push = 0;
+  for (Stepper *wall : walls)
+    for (const Rest &rest : mover.at(*wall).rests()) {
+      aspi_add_scaled(free, -1, rest.push, free);
+      push = std::max(push, aspi_dot(rest.push, rest.push));
+      is_led = push > 0; /* else nothing has held it in this step */
+    }
   aspi_copy(now.spin, spin);
   for (int d = 0; d < 3; d++)
     turning[d] = lift[d] = settled[d] = 0;
@@ -173,9 +181,10 @@ void Flight::act_along(const double n[3], double ahead[3]) const {
 /* The path from where it has come to, by a contact that has changed the velocity there. Its mean
  * velocity differs from that at its beginning: along n by what acts for the rest of the step, and
  * across it by as much as before, so that a mover which loses nothing along the wall ends where it
- * would have without the wall. The walls at which it stayed hold it no more. */
+ * would have without the wall. The walls at which it stayed hold it no more: they have given what
+ * its velocity has got by now. */
 void Flight::turn(const double before[3], const double after[3], const double n[3]) {
-  double ahead[3], held[3];
+  double ahead[3], held[3], change[3];
   aspi_subtract(acceleration, free, held);
   const double by = aspi_length(held);
   aspi_copy(free, acceleration);
@@ -186,6 +195,11 @@ void Flight::turn(const double before[3], const double after[3], const double n[
   }
   act_along(n, ahead);
   is_led = false;
+  aspi_subtract(before, half, change);
+  aspi_add_scaled(change, 0.5 * dt - elapsed(), free, change);
+  share(change, NONE);
+  settle();
+  is_held = false;
   aspi_add_scaled(after, 0.5 * dt - elapsed(), free, half);
   aspi_copy(after, begin);
   aspi_add_scaled(after, 1, ahead, path.v);
@@ -209,6 +223,42 @@ bool Flight::has_strayed(const double v[3], double most) const {
 
 /* ---- sustained contacts -----------------------------------------------------------------------
  */
+
+bool asperity::find_rest(const Mover &mover, Stepper &wall, Rest &rest, const double x[3],
+                         const double v[3], const double spin[3], double dt, Held &at,
+                         double &off) {
+  double u[3], distance;
+  at.wall = &wall;
+  at.rest = &rest;
+  at.shape = static_cast<size_t>(rest.shape) - 1;
+  at.sphere = mover.is_ball ? 0 : mover.number_of(rest.sphere);
+  at.face = static_cast<int>(rest.face);
+  at.piece = at.face < 0 ? ~at.face : at.face;
+  aspi_copy(NONE, at.n);
+  aspi_copy(NONE, at.v_wall);
+  aspi_copy(x, at.x);
+  at.follow = at.curve = 0;
+  if (at.sphere == mover.count || at.shape >= wall.setup.shapes.size())
+    return false;
+  aspi_copy(v, u);
+  if (!mover.is_ball) {
+    double arm[3], across[3];
+    mover.arm(at.sphere, arm);
+    aspi_add_scaled(at.x, 1, arm, at.x);
+    aspi_cross(spin, arm, across);
+    aspi_add_scaled(u, 1, across, u);
+  }
+  const double radius = mover.sphere[at.sphere].radius;
+  if (!wall.setup.shapes[at.shape].shape->under(at.face, at.x, u, (1 + NEAR) * radius, at,
+                                                distance))
+    return false;
+  at.piece = at.face < 0 ? ~at.face : at.face;
+  off = radius - distance;
+  if (!(fabs(at.curve) > 0))
+    return true;
+  aspi_subtract(u, at.v_wall, u);
+  return fabs(at.curve) * dt < CURVE * aspi_length(u);
+}
 
 /* Faces of a flat mesh count as one. */
 static bool is_at(const Held &one, const Touch &now) {
@@ -256,7 +306,7 @@ Held &Flight::add_sustained(const Touch &touch, double hold) {
     settle();
   if (sustained.empty()) {
     aspi_copy(half, free_half);
-    aspi_copy(spin, free_spin);
+    mover.momentum_of(spin, free_momentum);
   }
   sustained.push_back(Held());
   Held &one = sustained.back();
@@ -267,7 +317,7 @@ Held &Flight::add_sustained(const Touch &touch, double hold) {
   double before[3];
   aspi_copy(half, before);
   aspi_copy(free_half, half);
-  aspi_copy(free_spin, spin);
+  mover.spin_of(free_momentum, spin);
   squeezed = !solve_held(mover, sustained, half, spin) || squeezed;
   set_spin(spin);
   for (int d = 0; d < 3; d++)
@@ -279,7 +329,7 @@ Held &Flight::add_sustained(const Touch &touch, double hold) {
  * velocities at one instant. The push against the walls must not speed the mover up along them, and
  * at this instant a ball moves along them. */
 void Flight::follow_walls() {
-  aspi_copy(a0, acceleration);
+  aspi_copy(is_held ? a0 : free, acceleration);
   for (const Held &one : sustained) {
     const double push = one.follow + one.curve - aspi_dot(acceleration, one.n);
     aspi_add_scaled(acceleration, std::max(0.0, push), one.n, acceleration);
@@ -322,37 +372,77 @@ void Flight::settle() {
   sustained.clear();
 }
 
-/* Load of a grain that has stuck, or of a mover that was trapped: its change of velocity over the
- * step, less the part of its other contacts. This is the load until it moves with its wall. */
-void Flight::give_rest(const Touch &touch, const double end[3]) const {
-  double rest[3];
-  aspi_subtract(end, v0, rest);
-  aspi_add_scaled(rest, -0.5 * dt, a0, rest);
-  aspi_subtract(rest, settled, rest);
-  for (const Impact &impact : impacts)
-    for (int d = 0; d < 3; d++)
-      rest[d] -= impact.result.v2[d] - impact.v1[d];
-  touch.wall->books.add_load(
-      touch.shape, mover.load(touch.sphere, touch.piece, touch.x, NONE, path.x, rest, NULL));
+/* The walls at which it rests, with the impulses that the books have of them ahead. */
+void Flight::list_rests(std::vector<Held> &rests) const {
+  for (Stepper *wall : walls_)
+    for (Rest &rest : mover.at(*wall).rests()) {
+      Held at;
+      double off;
+      if (!find_rest(mover, *wall, rest, path.x, half, spin, dt, at, off) &&
+          (at.sphere == mover.count || at.shape >= wall->setup.shapes.size()))
+        continue;
+      aspi_copy(rest.push, at.p);
+      aspi_scale(0.5 * dt, at.p);
+      rests.push_back(at);
+    }
+}
+
+/* Books what sustained contacts have given velocity and spin beyond their impulses: those act over
+ * the step, and may end within it. Each takes a part as its own impulse is. */
+void Flight::share(const double change[3], const double turned[3]) {
+  std::vector<Held> all = sustained;
+  double sum[3] = {0, 0, 0}, size = 0, left[3];
+  if (is_held)
+    list_rests(all);
+  for (const Held &one : all) {
+    aspi_add_scaled(sum, 1, one.p, sum);
+    size += aspi_length(one.p);
+  }
+  const double square = aspi_dot(sum, sum);
+  const double part = square > 0 ? aspi_dot(change, sum) / square : 0;
+  aspi_add_scaled(change, -part, sum, left);
+  for (const Held &one : all) {
+    double p[3];
+    aspi_copy(one.p, p);
+    aspi_scale(part, p);
+    const double equal = size > 0 ? aspi_length(one.p) / size : 1 / static_cast<double>(all.size());
+    aspi_add_scaled(p, equal, left, p);
+    double turn[3];
+    aspi_copy(turned, turn);
+    aspi_scale(1 / static_cast<double>(all.size()), turn);
+    one.wall->books.add_load(one.shape,
+                             mover.load(one.sphere, one.piece, one.x, one.n, path.x, p, turn));
+  }
 }
 
 /* The walls leave no room: the mover goes with them, in their middle, and none of the impacts in
  * this place has happened. */
 void Flight::trap() {
-  const double share = 1.0 / static_cast<double>(sustained.size());
-  double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
-  for (size_t k = series_begin; k < impacts.size(); k++)
-    --mover.at(*impacts[k].wall).impacts();
-  impacts.erase(impacts.begin() + static_cast<std::ptrdiff_t>(series_begin), impacts.end());
-  set_spin(series_spin);
+  const double part = 1.0 / static_cast<double>(sustained.size());
+  double x[3] = {0, 0, 0}, v[3] = {0, 0, 0}, change[3], turned[3];
   for (const Held &one : sustained) {
     double arm[3];
     mover.arm(one.sphere, arm);
-    aspi_add_scaled(x, share, one.x, x);
-    aspi_add_scaled(x, -share, arm, x);
-    aspi_add_scaled(v, share, one.v_wall, v);
+    aspi_add_scaled(x, part, one.x, x);
+    aspi_add_scaled(x, -part, arm, x);
+    aspi_add_scaled(v, part, one.v_wall, v);
   }
   aspi_copy(x, path.x);
+  aspi_subtract(v, half, change);
+  aspi_subtract(series_spin, spin, turned);
+  for (size_t k = series_begin; k < impacts.size(); k++) {
+    const Impact &one = impacts[k];
+    double p[3], turn[3];
+    --mover.at(*one.wall).impacts();
+    aspi_subtract(one.result.v2, one.v1, p);
+    aspi_subtract(one.result.omega, one.omega1, turn);
+    aspi_add_scaled(change, 1, p, change);
+    aspi_add_scaled(turned, 1, turn, turned);
+  }
+  impacts.erase(impacts.begin() + static_cast<std::ptrdiff_t>(series_begin), impacts.end());
+  share(change, turned);
+  settle();
+  set_spin(series_spin);
   aspi_copy(v, path.v);
   aspi_copy(v, half);
   aspi_copy(NONE, lift);

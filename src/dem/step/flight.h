@@ -29,6 +29,7 @@ struct Flight {
   double spin[3];
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
   double free[3];             /* a0 without the walls at which it rests */
+  bool is_held;               /* by these, until an impact throws it off them */
 
   /* Of a body. turning, stretch: angular velocity of this stretch of its path, and how long that
    * takes. momentum: angular, per mass. lift: extra angular velocity of the path only, by walls
@@ -38,9 +39,10 @@ struct Flight {
 
   std::vector<Impact> impacts; /* of the step */
 
-  /* Contacts being solved together, those of the path, and velocity and spin before them. */
+  /* Contacts being solved together, those of the path, and velocity and angular momentum before
+   * them. */
   std::vector<Held> sustained, along;
-  double free_half[3], free_spin[3];
+  double free_half[3], free_momentum[3];
   double settled[3]; /* impulses per mass of those that are over */
   bool squeezed;     /* no velocity satisfies all of them */
 
@@ -52,8 +54,9 @@ struct Flight {
   size_t series_begin;
   double series_spin[3];
 
-  /* A mover as the engine has moved it. */
-  Flight(Mover &mover, const Movers &movers, const Instant &now);
+  /* A mover as the engine has moved it, at the walls of the run. */
+  Flight(Mover &mover, const Movers &movers, const Instant &now,
+         const std::vector<Stepper *> &walls);
 
   double elapsed() const {
     return dt - path.left;
@@ -80,7 +83,6 @@ struct Flight {
   Held *find_sustained(const Touch &touch);
   void sustain(const Touch &touch, double hold);
   void settle();
-  void give_rest(const Touch &touch, const double end[3]) const;
   void trap();
 
 private:
@@ -90,6 +92,10 @@ private:
   Held &add_sustained(const Touch &touch, double hold);
   void follow_walls();
   double along_path(const Touch &touch, const double n[3]) const;
+  void list_rests(std::vector<Held> &rests) const;
+  void share(const double change[3], const double turned[3]);
+
+  const std::vector<Stepper *> &walls_;
 };
 
 /* Counts the load of a solved contact of a mover at x. */
@@ -99,6 +105,11 @@ inline void add_load(const Mover &mover, const double x[3], const Held &held) {
   load.dissipated = mover.mass * held.work;
   held.wall->books.add_load(held.shape, load);
 }
+
+/* The contact at which a sphere of a mover at x rests, with this velocity and spin; false: it is
+ * there no more. off: how far the sphere is in the wall. */
+bool find_rest(const Mover &mover, Stepper &wall, Rest &rest, const double x[3], const double v[3],
+               const double spin[3], double dt, Held &at, double &off);
 
 /* search.cpp: the first contacts of the rest of the path. Where a body turns so far that its
  * spheres may be off straight paths, they are searched by wider spheres, and where those meet a

@@ -4,6 +4,7 @@
 #include "dem/step/held.h"
 
 #include <math.h>
+
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -14,14 +15,15 @@ namespace {
 
 /* Sweeps over several contacts. They end when a sweep changes the impulses by less than CONVERGED
  * of all of them, or TINY of the velocity: of a ball, and of a body, whose impacts are solved so,
- * too. They have found no solution if more than DIVERGED of the first approach is left; the points
- * of a body are often more than its freedom, and sweeps over them are slow. */
-const int SWEEPS = 300;
+ * too. After SLOW of them all normal impulses are solved at once in each. They have found no
+ * solution if more than DIVERGED of the first approach is left. */
+const int SLOW = 80, SWEEPS = 300;
 const double CONVERGED = 1e-6, CONVERGED_OF_BODY = 1e-11, TINY = 1e-15;
 const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
 
-/* The factor by which changes shrink, at most. */
-const double SHRINKS = 0.98;
+/* Softness of each contact: of the many solutions for points that are more than a body's freedom it
+ * makes one. */
+const double SOFT = 1e-11;
 
 /* The change of the spin by an impulse per mass at a contact. */
 inline void turn_of(const Mover &mover, const Held &s, const double p[3], double turn[3]) {
@@ -146,14 +148,129 @@ inline void solve_one(const Mover &mover, Held &s, double v[3], double omega[3])
   aspi_copy(p, s.p);
 }
 
-/* Gauss-Seidel sweeps over the contacts. The changes soon shrink by one factor from sweep to sweep:
- * every third sweep, the impulses jump by the sum of the remaining series (Aitken). False if an
- * approach is left. */
+/* Solves a x = b by Gauss's elimination with the largest pivots; x in the place of b. */
+void eliminate(std::vector<double> &a, std::vector<double> &b) {
+  const size_t n = b.size();
+  for (size_t c = 0; c < n; c++) {
+    size_t top = c;
+    for (size_t r = c + 1; r < n; r++)
+      if (fabs(a[r * n + c]) > fabs(a[top * n + c]))
+        top = r;
+    std::swap_ranges(&a[c * n], &a[c * n] + n, &a[top * n]);
+    std::swap(b[c], b[top]);
+    for (size_t r = c + 1; r < n; r++) {
+      const double by = a[r * n + c] / a[c * n + c];
+      for (size_t k = c; k < n; k++)
+        a[r * n + k] -= by * a[c * n + k];
+      b[r] -= by * b[c];
+    }
+  }
+  for (size_t c = n; c-- > 0;) {
+    for (size_t k = c + 1; k < n; k++)
+      b[c] -= a[c * n + k] * b[k];
+    b[c] /= a[c * n + c];
+  }
+}
+
+/* The normal impulses of all contacts at once, for the friction that there is. */
+class Normals {
+public:
+  Normals(const Mover &mover, HeldList all, const double v[3], const double omega[3]);
+  /* Closes what approaches, and opens what would pull, until there is none. */
+  void solve(double tiny);
+  double operator[](size_t k) const {
+    return p_[k];
+  }
+
+private:
+  /* The normal velocity of a contact. */
+  double velocity(size_t r) const {
+    double u = free_[r];
+    for (size_t c = 0; c < n_; c++)
+      u += w_[r * n_ + c] * p_[c];
+    return u;
+  }
+  void solve_closed();
+
+  const size_t n_;
+  std::vector<double> w_, free_, p_; /* row r: velocity of a contact by each impulse, and by none */
+  std::vector<size_t> closed_;
+};
+
+Normals::Normals(const Mover &mover, HeldList all, const double v[3], const double omega[3])
+    : n_(all.count), w_(n_ * n_), free_(n_), p_(n_) {
+  double u[3];
+  for (size_t c = 0; c < n_; c++) {
+    double by[3] = {0, 0, 0}, turn[3] = {0, 0, 0};
+    const Held &s = all.first[c];
+    push(mover, s, s.n, by, turn);
+    for (size_t r = 0; r < n_; r++) {
+      const Held &at = all.first[r];
+      slip(mover, at, by, turn, u);
+      w_[r * n_ + c] = aspi_dot(u, at.n) + aspi_dot(at.w, at.n);
+    }
+    p_[c] = aspi_dot(s.p, s.n);
+  }
+  for (size_t r = 0; r < n_; r++) {
+    slip(mover, all.first[r], v, omega, u);
+    free_[r] = aspi_dot(u, all.first[r].n) - velocity(r);
+    if (p_[r] > 0 || free_[r] < 0)
+      closed_.push_back(r);
+  }
+}
+
+void Normals::solve_closed() {
+  const size_t size = closed_.size();
+  std::vector<double> a(size * size), b(size);
+  for (size_t r = 0; r < size; r++) {
+    b[r] = -free_[closed_[r]];
+    for (size_t c = 0; c < size; c++)
+      a[r * size + c] = w_[closed_[r] * n_ + closed_[c]] + (r == c ? SOFT : 0);
+  }
+  eliminate(a, b);
+  p_.assign(n_, 0.);
+  for (size_t r = 0; r < size; r++)
+    p_[closed_[r]] = b[r];
+}
+
+void Normals::solve(double tiny) {
+  for (size_t round = 0; round < 5 * n_; round++) {
+    solve_closed();
+    const auto least = std::min_element(p_.begin(), p_.end());
+    if (*least < 0) {
+      const size_t pulls = static_cast<size_t>(least - p_.begin());
+      closed_.erase(std::find(closed_.begin(), closed_.end(), pulls));
+      continue;
+    }
+    const size_t size = closed_.size();
+    for (size_t r = 0; r < n_; r++)
+      if (velocity(r) < -tiny && std::find(closed_.begin(), closed_.end(), r) == closed_.end())
+        closed_.push_back(r);
+    if (closed_.size() == size)
+      return;
+  }
+}
+
+void solve_normals(const Mover &mover, HeldList all, double tiny, double v[3], double omega[3]) {
+  Normals normals(mover, all, v, omega);
+  normals.solve(tiny);
+  for (size_t k = 0; k < all.count; k++) {
+    Held &s = all.first[k];
+    double change[3];
+    aspi_copy(s.n, change);
+    aspi_scale(normals[k] - aspi_dot(s.p, s.n), change);
+    aspi_add_scaled(s.p, 1, change, s.p);
+    push(mover, s, change, v, omega);
+  }
+}
+
+/* Gauss-Seidel sweeps over the contacts, which after some become slow where normals are nearly
+ * opposite, or more than a body's freedom: then all normal impulses are solved at once in each.
+ * False if an approach is left. */
 bool sweep(const Mover &mover, HeldList all, double v[3], double omega[3]) {
   const double converged = mover.is_ball ? CONVERGED : CONVERGED_OF_BODY;
   double first = 0, left = 0, speed = aspi_length(v), u[3];
   for (Held &s : all) {
-    s.change[0] = s.change[1] = s.change[2] = 0;
     slip(mover, s, v, omega, u);
     first = std::max(first, -aspi_dot(u, s.n));
     speed = std::max(speed, aspi_length(s.w));
@@ -161,27 +278,19 @@ bool sweep(const Mover &mover, HeldList all, double v[3], double omega[3]) {
   for (Held &s : all)
     push(mover, s, s.p, v, omega);
   for (int n = 0; n < SWEEPS; n++) {
-    double before = 0, product = 0, now = 0, sum = 0;
+    double now = 0, sum = 0;
     for (Held &s : all) {
-      double then[3], last[3];
-      aspi_copy(s.p, then);
-      aspi_copy(s.change, last);
+      double change[3];
+      aspi_copy(s.p, change);
       solve_one(mover, s, v, omega);
-      aspi_subtract(s.p, then, s.change);
-      before += aspi_dot(last, last);
-      product += aspi_dot(s.change, last);
-      now += aspi_dot(s.change, s.change);
+      aspi_subtract(s.p, change, change);
+      now += aspi_dot(change, change);
       sum += aspi_dot(s.p, s.p);
     }
     if (!(sqrt(now) > converged * sqrt(sum) + TINY * speed))
       break;
-    if (n % 3 != 2 || !(product > 0 && product < SHRINKS * before))
-      continue;
-    for (Held &s : all) {
-      aspi_scale(product / (before - product), s.change);
-      aspi_add_scaled(s.p, 1, s.change, s.p);
-      push(mover, s, s.change, v, omega);
-    }
+    if (n >= SLOW)
+      solve_normals(mover, all, ROUNDING * first, v, omega);
   }
   for (Held &s : all) {
     slip(mover, s, v, omega, u);

@@ -12,7 +12,8 @@
  *
  * One contact of a ball is solved in closed form: p_n takes the approach, and p_t = -2/7 u_t, cut
  * at mu p_n, makes the ball roll. Several are solved one after another until nothing changes, from
- * the impulses that they have.
+ * the impulses that they have; where that is slow, as between walls that are nearly opposite, the
+ * normal impulses are solved together.
  *
  * A sphere in a valley of a rough wall is held by the faces around it, whose impulses act on its
  * center: there `arm` ends at that, and |p_t| <= hold p_n. A ball loses its spin there.
@@ -42,12 +43,11 @@ struct Held : Touch {
   double w[3];   /* velocity of the wall's point; its part along n is what the mover must keep */
   double arm[3]; /* of a body */
   double friction;
-  double hold;      /* tangent of the slope that the valley withstands; 0: there is none */
-  double p[3];      /* impulse per mass on the mover: where it begins, and the result */
-  double turn[3];   /* change of omega by the result */
-  double work;      /* energy per mass that friction takes from the mover */
-  double change[3]; /* of p, by the last sweep */
-  double k[3][3];   /* of a body: row d is the velocity of the point by the impulse e_d there */
+  double hold;    /* tangent of the slope that the valley withstands; 0: there is none */
+  double p[3];    /* impulse per mass on the mover: where it begins, and the result */
+  double turn[3]; /* change of omega by the result */
+  double work;    /* energy per mass that friction takes from the mover */
+  double k[3][3]; /* of a body: row d is the velocity of the point by the impulse e_d there */
 
   /* On a path: the normal when it was met last, and at the path's end; along that, the path must
    * move at least at this speed. */

@@ -73,6 +73,11 @@ struct FacePlace {
  * into it, as long as the valley is not drawn. */
 const double AT_BOTTOM = 0, TO_DRAW = 1;
 
+/* Of a particle in a step that has not ended. */
+struct Load {
+  double force[3], point[3]; /* as MoverState shows them at its end */
+};
+
 struct Memory {
   double draws;   /* of valleys, and of faces that it met while it rested */
   double free[3]; /* where it rests, its acceleration without walls at the end of the last step */
@@ -80,6 +85,7 @@ struct Memory {
   std::vector<Rest> rests;      /* those of status RESTING */
   std::vector<Rebound> rebound; /* one, of status REBOUNDED */
   std::vector<Stuck> stuck;     /* one, of status STUCK or TO_DELETE */
+  std::vector<Load> load;       /* one, or none */
 
   Memory() : draws(0), free() {}
 
@@ -89,6 +95,7 @@ struct Memory {
     of(rests);
     of(rebound);
     of(stuck);
+    of(load);
   }
 };
 
@@ -206,9 +213,10 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
-const int PACKED_MOST = 9 + static_cast<int>((FACES_MOST * sizeof(FacePlace) +
-                                              (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
-                                             sizeof(double));
+const int PACKED_MOST =
+    10 + static_cast<int>((sizeof(Load) + FACES_MOST * sizeof(FacePlace) +
+                           (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
+                          sizeof(double));
 static_assert(sizeof(Rebound) <= sizeof(Stuck),
               "the longest list is that of a stuck or resting one");
 

@@ -112,7 +112,6 @@ static const asp_impact &hit(Flight &flight, ContactPoint &at) {
 /* Gives the mover, which had the velocity v, what its last impact leaves it. True: it sticks. */
 static bool take_impact(Flight &flight, const double v[3]) {
   const Impact &last = flight.impacts.back();
-  flight.settle();
   if (last.result.outcome == ASP_DEPOSIT)
     return true;
   double after[3];
@@ -173,7 +172,6 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
   e = std::min(1.0, std::max(0.0, e * share));
   aspi_copy(v, after);
   aspi_copy(flight.spin, spin);
-  flight.settle();
   solve_held(mover, points, after, spin);
   for (int d = 0; d < 3; d++) {
     after[d] += e * (after[d] - v[d]);
@@ -258,6 +256,10 @@ static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool
         touch.overlapped && overlap(touch) > OVERLAP * mover.sphere[touch.sphere].radius;
     if (touches.size() == 1)
       break;
+    if (!touch.overlapped) { /* it may be met a little later */
+      mover.arm(touch.sphere, touch.x);
+      aspi_add_scaled(touch.x, 1, flight.path.x, touch.x);
+    }
     ContactPoint at(mover, now, touch);
     bool arrives;
     if (!all_stay && !is_sustained(flight, at, arrives)) {
@@ -317,13 +319,10 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   const int series_most = SERIES * static_cast<int>(mover.count);
   const double known_way[3] = {flight.path.v[0], flight.path.v[1], flight.path.v[2]};
   std::vector<Touch> touches;
-  Touch last;
+  Touch last = Touch();
   bool only_slid = true;
   int series = 0, all = 0, by = -1;
   stuck.wall = NULL;
-  for (Stepper *wall : walls)
-    for (const Rest &rest : mover.at(*wall).rests())
-      aspi_add_scaled(flight.free, -1, rest.push, flight.free);
   while (by < 0 && !flight.squeezed && series < 2 * series_most && all < CONTACTS_MOST &&
          find_next(flight.searches_all ? walls : near, flight, touches)) {
     flight.way += touches[0].time * aspi_length(touches[0].before.v) / mover.sphere->radius;
@@ -355,8 +354,6 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
     last.wall->books.count_guarded();
     search_all(walls, flight);
     flight.trap();
-    flight.settle();
-    flight.give_rest(last, flight.half);
   } else if (endless && !mover.is_ball)
     flight.path.left = 0; /* it waits here for the next step */
   if (all == CONTACTS_MOST) {
@@ -378,7 +375,7 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
   Instant now;
   movers.read(mover, now);
   movers.read_rates(mover, now);
-  Flight flight(mover, movers, now);
+  Flight flight(mover, movers, now, walls);
   Touch stuck;
   const double most = grains ? Ahead::bend(grains->radius[i]) / movers.dt : 0;
   if (!fly(walls, grains ? near : walls, flight, most, stuck))
@@ -404,6 +401,7 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
 static void step_movers(const Walls &walls, const Movers &movers) {
   std::vector<Candidate> near;
   Walls near_walls;
+  check_ahead(walls, movers);
   const Spheres all = movers.bounds();
   for (size_t w = 0; w < walls.size(); w++) {
     Population &of = movers.members(*walls[w]);
@@ -429,8 +427,10 @@ void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bo
   for (Stepper *wall : walls)
     wall->books.begin_step(spheres.step);
   step_movers(walls, spheres);
-  if (!bodies)
-    return;
-  step_movers(walls, *bodies);
-  bodies->begins = false;
+  if (bodies) {
+    step_movers(walls, *bodies);
+    bodies->begins = false;
+  }
+  for (Stepper *wall : walls)
+    wall->begins = false;
 }

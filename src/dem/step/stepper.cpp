@@ -11,8 +11,10 @@ using namespace asperity;
 
 Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
-      is_in_step(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false),
-      has_to_delete(false), is_cut(false) {}
+      begins(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false),
+      has_to_delete(false), is_cut(false), dt_ahead(0) {
+  books.set_rows(&rows);
+}
 
 void Population::list(const Spheres &s, int groupbit) {
   stuck.clear();
@@ -23,7 +25,7 @@ void Population::list(const Spheres &s, int groupbit) {
     if (!(s.mask[i] & groupbit) || !rows.has_list(i))
       rows.forget(i);
     else if (rows.is_stuck(i))
-      stuck.push_back(StuckOne{i, false, false, {}, {}, 0, {}});
+      stuck.push_back(StuckOne{i, false, false, false, {}, {}, 0, {}});
     else if (rows.status(i) == Status::RESTING)
       resting.push_back(i);
     else if (rows.status(i) == Status::REBOUNDED)
@@ -61,6 +63,7 @@ void Stepper::begin_run(const Spheres &s, const std::vector<int> &shape_now) {
   is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
   has_valleys = is_rough && setup.interlocks && setup.model.dissipates();
   has_lay = setup.model.lay().kind != ASP_LAY_NONE || setup.engine.dimension() == 2;
+  begins = true;
   grains.begin_run(setup, s);
   reorder(s);
 }
@@ -70,8 +73,13 @@ void Stepper::reorder(const Spheres &s) {
   grains.list(s, setup.groupbit);
   for (const StuckOne &one : grains.stuck) {
     Stuck &at = rows.stuck(one.i);
-    if (at.is_kept > 0 && is_in_step)
-      aspi_scale(0.5, rows.state[one.i].force); /* the second half of the step is to come */
+    std::vector<Load> &load = rows.own(one.i).load;
+    if (at.is_kept > 0 && books.is_in_step() && load.empty()) {
+      load.push_back(Load());
+      aspi_add_scaled(load[0].force, 0.5, rows.state[one.i].force,
+                      load[0].force); /* a half is over */
+      aspi_copy(rows.state[one.i].point, load[0].point);
+    }
     at.is_kept = 0;
   }
 }

@@ -26,7 +26,7 @@ class Movers;
 struct StuckOne {
   int i;
   bool was_stopped;
-  bool is_kept; /* its load is among those that the books keep */
+  bool is_kept, is_shown; /* its load is among those that the books keep; and shown as such */
   double x[3], v[3], mass;
   asp_removal flow; /* most 0: not drawn yet */
 };
@@ -60,13 +60,14 @@ struct Stepper {
   Memories rows;
   BodyMemories body_rows;
   Population grains, bodies;
-  bool is_in_step;    /* between carry_stuck() and hold_stuck() */
+  bool begins;        /* a run: its first step is to come */
   bool is_rough;      /* in this run */
   bool has_valleys;   /* that hold what rests */
   bool has_lay;       /* in two dimensions, too: there the tilt is in the plane */
   bool is_still;      /* no shape moves or measures what sticks to it in this step */
   bool has_to_delete; /* movers of this rank are to be deleted */
   bool is_cut;        /* a mover had too many contacts in a step */
+  double dt_ahead;    /* of the step at whose end what rests was held; 0: unknown */
 
   Stepper(const Setup &setup, Books &books);
 
@@ -104,9 +105,14 @@ private:
 /* All contacts of a step of all walls of a run, of grains and of bodies, if there are any. */
 void step_walls(const std::vector<Stepper *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
 
-/* When a run has computed its first forces, which are without the walls: adds those of the walls
- * that hold movers, as the step before has left them. */
+/* When a run computes its first forces, which are without the walls: adds those of the walls that
+ * hold movers, as the step before has left them. */
 void push_again(const std::vector<Stepper *> &walls, const Movers &movers);
+
+/* The walls have booked ahead half of a kick that the engine gives what rests. In the first step of
+ * a run, and in one of another length, that may be another one: the books follow. Where the script
+ * has changed the forces, the walls' old ones are taken back, and the step finds new ones. */
+void check_ahead(const std::vector<Stepper *> &walls, const Movers &movers);
 
 /* The end of a step, after its forces. What is stuck gets its wall's velocity, walls hold those
  * that rest (end_step.cpp), and one that has rebounded gets its energy. */

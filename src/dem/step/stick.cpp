@@ -45,7 +45,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   of.any_left = true;
   of.rows.set_status(mover.i, deletes ? Status::TO_DELETE : Status::STUCK);
   wall.has_to_delete = wall.has_to_delete || deletes;
-  of.stuck.push_back(StuckOne{mover.i, false, false, {}, {}, 0, {}});
+  of.stuck.push_back(StuckOne{mover.i, false, false, false, {}, {}, 0, {}});
   Stuck &to = of.rows.stuck(mover.i);
   to = Stuck();
   to.sphere = static_cast<double>(mover.sphere[touch.sphere].tag);
@@ -59,11 +59,12 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
 /* ---- how it moves -----------------------------------------------------------------------------
  */
 
-/* Gives a stuck mover the velocity of its wall, with the load that holds it. */
-static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
-                     const Mover &mover) {
+/* Gives a stuck mover, which is shifted in its place, the velocity of its wall, with the load that
+ * holds it. */
+static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers, const Mover &mover,
+                     const double shift[3]) {
   Instant now;
-  double change[3], turn[3], center[3];
+  double change[3], turn[3], center[3], swing[3];
   movers.read(mover, now);
   aspi_subtract(at.v, now.v, change);
   aspi_subtract(at.omega, now.spin, turn);
@@ -75,9 +76,11 @@ static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
   const size_t anchor = mover.anchor(at);
   mover.arm(anchor, center);
   aspi_add_scaled(center, 1, now.x, center);
-  wall.books.add_load(
-      static_cast<size_t>(at.shape) - 1,
-      mover.load(anchor, static_cast<int>(at.piece), center, NONE, now.x, change, turn));
+  ContactLoad load =
+      mover.load(anchor, static_cast<int>(at.piece), center, NONE, now.x, change, turn);
+  aspi_cross(shift, now.v, swing);
+  aspi_add_scaled(load.couple, -mover.mass, swing, load.couple);
+  wall.books.add_load(static_cast<size_t>(at.shape) - 1, load);
 }
 
 /* Puts a stuck mover where its wall has it at the end of the step. */
@@ -89,8 +92,8 @@ static void carry(Stepper &wall, const Movers &movers, int i, double left) {
   const size_t anchor = mover.anchor(at);
   movers.read(mover, now);
   mover.arm(anchor, arm);
-  aspi_add_scaled(now.x, 1, arm, now.x);
-  follow(wall, at, now.x, mover.sphere[anchor].radius, left, movers.dt, mover.body, x);
+  aspi_add_scaled(now.x, 1, arm, off);
+  follow(wall, at, off, mover.sphere[anchor].radius, left, movers.dt, mover.body, x);
   if (mover.body) {
     mover.set_axes(at.axes);
     mover.arm(anchor, arm);
@@ -99,7 +102,8 @@ static void carry(Stepper &wall, const Movers &movers, int i, double left) {
     aspi_subtract(at.v, off, at.v); /* that of the center of mass */
   }
   movers.place(mover, x);
-  hold_one(wall, at, movers, mover);
+  aspi_subtract(x, now.x, off);
+  hold_one(wall, at, movers, mover, off);
 }
 
 void asperity::freeze(const Touch &touch, const Mover &mover, const Movers &movers,
@@ -162,16 +166,16 @@ static inline bool comes_again(const StuckOne &at, const Spheres &s) {
 /* Ends the load of a particle after this share of a step. */
 void Stepper::drop_load(StuckOne &at, double share) {
   if (at.is_kept) {
-    books.drop_load(at.i, at.x, at.v, at.mass, share);
+    books.drop_load(at.i, at.x, at.v, at.mass, at.is_shown ? share : 1);
     rows.stuck(at.i).is_kept = 0;
   }
-  at.was_stopped = at.is_kept = false;
+  at.was_stopped = at.is_kept = at.is_shown = false;
 }
 
 /* If a stuck particle has the same velocity and mass as in the last step, its load is unchanged:
  * the books keep it, and only x and v are reset. */
 void Stepper::carry_stuck(const Movers &movers) {
-  is_in_step = is_still = true;
+  is_still = true;
   for (const Member &member : setup.shapes)
     is_still = is_still && member.shape->is_still() && !member.shape->measures();
   for (StuckOne &at : movers.members(*this).stuck) {
@@ -195,11 +199,13 @@ void Stepper::carry_stuck(const Movers &movers) {
 
 void Stepper::hold_stuck(const Movers &movers) {
   Population &of = movers.members(*this);
-  is_in_step = false;
   for (StuckOne &at : of.stuck) {
     const Spheres *s = movers.grains;
     if (at.is_kept && comes_again(at, *s)) {
       aspi_copy(NONE, s->v + 3 * static_cast<size_t>(at.i));
+      if (!at.is_shown)
+        books.show_kept(at.i);
+      at.is_shown = true;
       continue;
     }
     drop_load(at, 0.5);
@@ -210,7 +216,7 @@ void Stepper::hold_stuck(const Movers &movers) {
       aspi_copy(s->v + 3 * static_cast<size_t>(at.i), at.v);
       at.mass = s->mass[at.i];
     }
-    hold_one(*this, place, movers, Mover(movers, at.i));
+    hold_one(*this, place, movers, Mover(movers, at.i), NONE);
   }
   if (movers.grains)
     books.add_kept_loads();
@@ -265,7 +271,7 @@ void Stepper::let_go(const Movers &movers) {
       mover.at(*this).rest_at(mover.sphere[mover.anchor(was)].tag, shape,
                               face_now(setup.shapes[shape], was));
     }
-    of.ahead.expire(at.i);
+    of.ahead.watch(at.i);
   }
   of.stuck.resize(kept);
 }
