@@ -13,6 +13,7 @@
 #define FLOW STICKY " remove u_tau 1 gas_density 1.2 gas_viscosity 1.5e-5"
 #define WORN ROUGH " rebound constant 0.8 0.9 erosion "
 #define HOT "rebound bons temperature 1200"
+#define HOTTER "rebound bons temperature 1400"
 #define OKA WORN "oka 1.8GPa density 2700"
 
 /* A word by what it is within, and its name; a text with it, and one without or with another value.
@@ -86,10 +87,10 @@ static const struct {
     {"soften_modulus wall_temperature",
      HOT " soften_modulus exp 100GPa 1e-3 wall_temperature 900" PAIR,
      HOT " soften_modulus exp 100GPa 1e-3 wall_temperature 1000" PAIR},
-    {"deposit viscosity", HOT PAIR " deposit freeze viscosity critical 1e4 vft -4.5 9000 500",
-     HOT PAIR},
-    {"viscosity critical", HOT PAIR " deposit freeze viscosity critical 1e4 vft -4.5 9000 500",
-     HOT PAIR " deposit freeze viscosity critical 1e5 vft -4.5 9000 500"},
+    {"deposit viscosity", HOTTER PAIR " deposit freeze viscosity critical 1e4 vft -4.5 9000 500",
+     HOTTER PAIR},
+    {"viscosity critical", HOTTER PAIR " deposit freeze viscosity critical 1e4 vft -4.5 9000 500",
+     HOTTER PAIR " deposit freeze viscosity critical 1e5 vft -4.5 9000 500"},
     {"bons soften_from", "rebound bons temperature 1200 soften 1100 0.001" PAIR,
      "rebound bons temperature 1200 soften 1000 0.001" PAIR},
     {"bons soften_rate", "rebound bons temperature 1200 soften 1000 0.002" PAIR,
