@@ -163,7 +163,7 @@ asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *pa
                           asp_impact *impacts, asp_error *error);
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). A quotient is NAN for a
- * deposit, and if its denominator is below 1e-12 of v1 or of 1 rad: cor_n and cor_alpha of a
+ * deposit, and if its denominator is below 1e-6 of v1 or of 1 rad: cor_n and cor_alpha of a
  * sliding particle, cor_t at normal impact. */
 typedef struct asp_coefficients {
   double v1, alpha1;

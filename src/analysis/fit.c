@@ -411,6 +411,36 @@ static asp_code find(search *s, aspi_fit *fit) {
   return !code && !set_model(s, fit->at) ? ASP_EDATA : code;
 }
 
+/* Says why the search fails, at its first start. */
+static asp_code explain(search *s, asp_error *error) {
+  const aspi_calibration *p = s->problem;
+  double at[FIT_UNKNOWNS_MOST];
+  aspi_bin_moments m;
+  for (size_t j = 0; j < p->n_unknown; j++)
+    at[j] = p->unknown[j].scaled_start;
+  if (!set_model(s, at))
+    return aspi_fail(error, ASP_EDATA,
+                     "there is no such wall or law where the search begins (%s %g); give another "
+                     "start with fit=VALUE",
+                     p->unknown[0].name, aspi_unknown_value(&p->unknown[0], at[0]));
+  for (size_t b = 0; b < p->n_bins; b++) {
+    const aspi_calibration_bin *bin = &p->bins[b];
+    for (int k = 0; k < MOMENTS; k++)
+      if (bin->used[k] && k < MOMENT_STUCK && !(bin->moments.covariance[k][k] > 1e-20))
+        return aspi_fail(error, ASP_EDATA,
+                         "the %zu rows near %.3g degrees do not scatter, so they have no weight; "
+                         "state them as means, with their errors where these are known",
+                         bin->end - bin->first, bin->degrees);
+    if (!simulate(s, b, &m) || !(m.rebounds > 0))
+      return aspi_fail(error, ASP_EDATA,
+                       "at %.3g degrees all particles stick to the model's wall, and those of the "
+                       "data rebound; state a lower surface_energy, 'deposit off', or fit=VALUE",
+                       bin->degrees);
+  }
+  return aspi_fail(error, ASP_EDATA,
+                   "no start of the search gives a finite chi^2; give one with fit=VALUE");
+}
+
 asp_code aspi_calibration_find(aspi_calibration *p, aspi_fit *fit, asp_error *error) {
   search s = {.problem = p,
               .lower = calloc(p->n_bins, sizeof *s.lower),
@@ -422,11 +452,11 @@ asp_code aspi_calibration_find(aspi_calibration *p, aspi_fit *fit, asp_error *er
     s.high[j] = p->unknown[j].high;
   }
   asp_code code = s.lower && s.xy ? find(&s, fit) : ASP_ENOMEM;
+  if (code == ASP_ENOMEM)
+    aspi_fail(error, code, "out of memory for a fit");
+  else if (code)
+    code = explain(&s, error);
   free(s.lower);
   free(s.xy);
-  if (code)
-    aspi_fail(error, code,
-              code == ASP_ENOMEM ? "out of memory for a fit"
-                                 : "no starting point fits the data; give one with fit=VALUE");
   return code;
 }

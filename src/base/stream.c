@@ -51,13 +51,6 @@ double aspi_stream_uniform(aspi_stream *stream) {
   return stream->ready[2 - stream->left--];
 }
 
-/* Of the last block, to which no stream comes. */
-double aspi_stream_apart(const asp_key *key) {
-  aspi_stream stream = aspi_stream_begin(key);
-  stream.counter[3] = UINT32_MAX;
-  return aspi_stream_uniform(&stream);
-}
-
 double aspi_stream_normal(aspi_stream *stream) {
   return gsl_cdf_ugaussian_Pinv(aspi_stream_uniform(stream));
 }

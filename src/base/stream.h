@@ -23,9 +23,6 @@ typedef enum aspi_trait { ASPI_TRAIT_YIELD = 1, ASPI_TRAIT_ADHESION } aspi_trait
 /* A standard normal number of the seed and the tag of a key alone. */
 double aspi_stream_trait(const asp_key *key, aspi_trait of);
 
-/* A uniform number of the contact that is none of its stream. */
-double aspi_stream_apart(const asp_key *key);
-
 /* The next uniform number of the stream, strictly between 0 and 1: in steps of 2^-53
  * below 0.5 and of 2^-52 above. */
 double aspi_stream_uniform(aspi_stream *stream);

@@ -19,8 +19,16 @@ enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 /* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;
+  bool joins = false; /* the next field, behind a sign */
   t->count = t->all = 0;
   while ((field = aspi_text_field(&rest, t->separator)) != NULL) {
+    size_t sign = t->separator == ' ' && t->all > 0 ? aspi_table_sign(field) : 0;
+    if (sign > 0 || joins) {
+      for (char *c = t->fields[t->all - 1]; c < field; c++)
+        *c = *c ? *c : ' ';
+      joins = sign > 0 && !field[sign];
+      continue;
+    }
     if (t->all == t->room) {
       char **grown = aspi_grow(t->fields, (size_t)t->all, sizeof *grown);
       if (!grown)
@@ -178,8 +186,20 @@ void aspi_table_close(aspi_table *t) {
 
 /* ---- rows and values ---- */
 
+/* True for a line of words among the rows, as the heading of a group. */
+static bool is_heading(const aspi_table *t) {
+  double value;
+  bool words = t->count < t->columns;
+  for (int i = 0; i < t->count && words; i++)
+    words = !*t->fields[i] || aspi_table_field(t, i, &value) == ASP_WORD_OTHER;
+  return words;
+}
+
 asp_code aspi_table_row(aspi_table *t, bool *found, asp_error *error) {
-  asp_code code = aspi_table_line(t, found, error);
+  asp_code code;
+  do {
+    code = aspi_table_line(t, found, error);
+  } while (!code && *found && is_heading(t));
   if (code || !*found)
     return code;
   if (t->all == t->columns || (t->count <= t->columns && t->all > t->columns))

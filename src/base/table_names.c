@@ -22,7 +22,9 @@ void aspi_plain(const char *name, char *to, size_t size) {
       {"\xC2\xB0", "_deg"},  {"\xC2\xB5", "u"},        {"\xCE\xBC", "u"},
       {"%", "_percent"},     {"\xCE\xB1", "alpha"},    {"\xCE\xB2", "beta"},
       {"\xCE\xB8", "theta"}, {"\xC3\x85", "angstrom"}, {"\xE2\x84\xAB", "angstrom"},
-      {"\xC3\xB6", "oe"},    {"\xC3\xA9", "e"},        {"\xB0", "_deg"},
+      {"\xC3\xB6", "oe"},    {"\xC3\xA9", "e"},        {"\xC3\xBC", "ue"},
+      {"\xC3\xA4", "ae"},    {"\xFC", "ue"},           {"\xCE\xA8", "psi"},
+      {"\xCF\x88", "psi"},   {"\xCE\xB5", "epsilon"},  {"\xB0", "_deg"},
       {"\xB5", "u"},         {"\xC5", "angstrom"},     {"\xF6", "oe"},
       {"\xE9", "e"}};
   size_t n = 0;
@@ -80,16 +82,21 @@ static const char *line_above(const aspi_table *t, const char **end) {
   return NULL;
 }
 
-/* Cuts a line of the header as names; where blanks separate them, a unit in brackets belongs to the
- * name before it. The number of names without empty ones behind, and with them; -1: no memory. */
-static int cut_names(aspi_table *t, const char *line, int *all, aspi_column **list) {
+/* Cuts a line of the header as names; where single blanks separate them, a unit in brackets belongs
+ * to the name before it. wide: tabs, or two blanks or more, separate names of several words. The
+ * number of names without empty ones behind, and with them; -1: no memory. */
+static int cut_names(aspi_table *t, const char *line, bool wide, int *all, aspi_column **list) {
   while (*line != t->separator && strchr("#%; \t", *line) && *line)
     line++;
   char *copy = strndup(line, strcspn(line, "\n")), *rest = copy, *field;
+  const char separator = wide ? '\t' : t->separator;
   int count = 0, kept = 0;
-  while ((field = aspi_text_field(&rest, t->separator)) != NULL) {
+  for (char *c = wide ? copy : NULL; c && (c = strstr(c, "  ")) != NULL;)
+    for (*c++ = '\t'; *c == ' ';)
+      memmove(c, c + 1, strlen(c));
+  while ((field = aspi_text_field(&rest, separator)) != NULL) {
     char *before = kept > 0 ? (*list)[kept - 1].name : NULL;
-    if (t->separator == ' ' && before && strchr("([{", *field)) {
+    if (separator == ' ' && before && strchr("([{", *field)) {
       aspi_append(before, ASP_PLAIN_MOST, " %s", field);
       continue;
     }
@@ -109,10 +116,24 @@ asp_code aspi_table_parse_names(aspi_table *t, int least, asp_error *error) {
   const char *end = t->header + strlen(t->header), *line;
   for (int k = 0; k < 2 && (line = line_above(t, &end)) != NULL; k++) {
     aspi_column *list = NULL;
-    int all, count = cut_names(t, line, &all, &list);
+    int all, count = cut_names(t, line, false, &all, &list);
+    if (t->separator == ' ' && count > t->count) {
+      aspi_column *others = NULL;
+      int all_others, wide = cut_names(t, line, true, &all_others, &others);
+      bool fits = wide == t->count;
+      free(fits ? list : others);
+      list = fits ? others : list;
+      count = fits ? wide : count;
+      all = fits ? all_others : all;
+    }
     if (count < 0) {
       free(list);
       return aspi_table_no_memory(t, error);
+    }
+    if (k == 0 && count == 1 && t->count > 1 && end > t->header) { /* the heading of a group */
+      free(list);
+      k--;
+      continue;
     }
     count = count < t->count && all >= t->count ? t->count : count;
     bool fits = k ? count == t->columns

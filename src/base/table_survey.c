@@ -8,6 +8,14 @@
 #include <string.h>
 #include <strings.h>
 
+size_t aspi_table_sign(const char *text) {
+  static const char *const signs[] = {"(", "\xC2\xB1", "\xB1", "+-", "+/-"};
+  for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+    if (strncmp(text, signs[i], strlen(signs[i])) == 0)
+      return strlen(signs[i]);
+  return 0;
+}
+
 static const char separators[] = ";\t, ";
 enum { SEMICOLON, TAB, COMMA, BLANK, SEPARATORS };
 
@@ -66,7 +74,7 @@ static void vote(tally *t, const tally *line) {
 static void look(tally *numbers, tally *others, const char *c, const char *end) {
   tally line = {.fields = {1, 1, 1, 0}};
   int indent = (int)strspn(c, "\t");
-  bool quoted = false, words = false, digits = false, blank = true;
+  bool quoted = false, words = false, digits = false, blank = true, joins = false;
   char last = ' ';
   run r = {0};
   for (; c < end; c++) {
@@ -95,7 +103,9 @@ static void look(tally *numbers, tally *others, const char *c, const char *end) 
       continue;
     }
     if (blank) {
-      line.fields[BLANK]++;
+      size_t sign = line.fields[BLANK] > 0 ? aspi_table_sign(c) : 0;
+      line.fields[BLANK] += sign == 0 && !joins;
+      joins = sign > 0 && c[sign] == ' ';
       line.gaps += isdigit((unsigned char)last) && (is_digit || *c == '-' || *c == '.');
     }
     blank = false;

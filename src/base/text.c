@@ -191,7 +191,7 @@ bool aspi_text_blank(const char *line) {
 
 static bool is_missing(const char *text, size_t length) {
   static const char marks[] = "bad na n/a null #n/a #num! #value! #div/0! void missing - -- --- * "
-                              "*** ? none invalid";
+                              "*** ? none invalid n.a. n.d. nd \xE2\x80\x93 \xE2\x80\x94";
   size_t stars = strspn(text, "*"); /* overflow marks of Fortran */
   return length == 0 || stars == length || aspi_word_index(marks, text, length, false) >= 0;
 }

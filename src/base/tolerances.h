@@ -12,9 +12,12 @@
 /* Of numbers in double precision after a few operations: they have 16 digits. */
 #define ASPI_ROUNDING_DOUBLE 1e-12
 
-/* a/b; NAN if b is only rounding of `whole`. */
+/* Of a component of a velocity that went through an engine's steps and frames. */
+#define ASPI_ROUNDING_PART 1e-6
+
+/* a/b; NAN if b is only rounding of a part of `whole`. */
 static inline double aspi_quotient(double a, double b, double whole) {
-  return fabs(b) > ASPI_ROUNDING_DOUBLE * whole ? a / b : NAN;
+  return fabs(b) > ASPI_ROUNDING_PART * whole ? a / b : NAN;
 }
 
 #endif

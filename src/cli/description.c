@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
 #include "base/number.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "description/words.h"
 #include "spread/flight.h"
@@ -79,23 +80,43 @@ cli_description cli_description_read(int count, char **words, bool fittable) {
   return d;
 }
 
-void cli_ledger_densities(const char *heading, double *particle, double *wall) {
-  const char *at = strstr(heading, " materials ");
-  const char *end = at ? strchr(at, '\n') : NULL;
-  if (!end || *heading != '#')
-    return;
-  char *text = cli_allocate((size_t)(end - at) + 1, 1);
-  memcpy(text, at + 1, (size_t)(end - at) - 1);
+/* The words `materials PARTICLE WALL` of a ledger's heading; NULL: it does not have two. */
+static char *ledger_materials(const char *heading) {
+  char *line = cli_copy(*heading == '#' ? heading : ""), *text = NULL;
+  line[strcspn(line, "\n")] = '\0';
+  for (char *at = line; (at = strstr(at, " materials ")) != NULL;) /* the last: not the command */
+    text = ++at;
+  if (!text)
+    return NULL;
   text[asp_description_clause(text)] = '\0';
   asp_description *words = asp_description_parse(text, NULL, NULL);
-  if (words && asp_description_materials(words) == 2) {
-    const asp_material *of[] = {asp_description_material(words, 0),
-                                asp_description_material(words, 1)};
-    *particle = isnan(*particle) ? asp_material_get(of[0], "density") : *particle;
-    *wall = isnan(*wall) ? asp_material_get(of[1], "density") : *wall;
-  }
+  int count = words ? asp_description_materials(words) : 0;
   asp_description_free(words);
-  free(text);
+  return count == 2 ? text : NULL;
+}
+
+int cli_ledger_words(const char *heading, int count, char ***words) {
+  char *text = ledger_materials(heading), *word;
+  for (int i = 0; i < count; i++)
+    if (strcmp((*words)[i], "materials") == 0)
+      return count;
+  char **all = cli_allocate((size_t)count + (text ? strlen(text) : 0), sizeof *all);
+  memcpy(all, *words, (size_t)count * sizeof *all);
+  while (text && (word = aspi_text_field(&text, ' ')) != NULL)
+    all[count++] = word;
+  *words = all;
+  return count;
+}
+
+void cli_ledger_densities(const char *heading, double *particle, double *wall) {
+  const char *text = ledger_materials(heading);
+  asp_description *words = text ? asp_description_parse(text, NULL, NULL) : NULL;
+  if (!words)
+    return;
+  *particle = isnan(*particle) ? asp_material_get(asp_description_material(words, 0), "density")
+                               : *particle;
+  *wall = asp_material_get(asp_description_material(words, 1), "density");
+  asp_description_free(words);
 }
 
 void cli_description_allow(cli_description *d, const char *allowed, const char *why) {

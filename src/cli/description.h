@@ -31,8 +31,11 @@ typedef struct cli_description {
  */
 cli_description cli_description_read(int count, char **words, bool fittable);
 
-/* The densities of the particles and of the wall, where they are NAN, from the heading of a ledger
- * that has two materials: those. */
+/* The words of a command line, with the materials of a ledger's heading behind them where they have
+ * none and it has two. Returns their count. */
+int cli_ledger_words(const char *heading, int count, char ***words);
+
+/* The densities of those materials: of the particles where it is NAN, and of the wall. */
 void cli_ledger_densities(const char *heading, double *particle, double *wall);
 
 /* The canonical text. */

@@ -24,6 +24,7 @@ typedef struct wear {
   cell *cells;
   size_t count, most; /* cells, and how many before they are merged */
   const char *path;
+  cli_scatter ledger;
   const aspi_erosion *law; /* NULL: the ledger's own column */
   double wall_density;     /* 0: the law has it */
   double density;          /* of the particles; NAN: the ledger has their mass */
@@ -75,7 +76,7 @@ static void add_row(wear *w, const double fields[]) {
 /* Adds up the rows of the ledger. */
 static void read_ledger(wear *w) {
   static const int by_law[] = {MESH, TRIANGLE, ALPHA1, V1, D_P}, own[] = {MESH, TRIANGLE, ERODED};
-  cli_scatter ledger = cli_scatter_open(w->path, PLACE);
+  cli_scatter ledger = w->ledger;
   for (int i = 0; i < (w->law ? 5 : 3); i++)
     cli_scatter_need(&ledger, w->law ? by_law[i] : own[i],
                      w->law || i < 2 ? ""
@@ -129,6 +130,15 @@ static void take_law(wear *w, cli_description *d) {
   cli_description_doubt(d, 0, 0);
 }
 
+/* The clause of a canonical text that begins with a word. */
+static const char *clause_of(char *text, const char *word) {
+  while (strncmp(text, word, strlen(word)) != 0)
+    text += asp_description_clause(text);
+  size_t length = asp_description_clause(text);
+  text[length - (length > 0 && text[length - 1] == ' ')] = '\0';
+  return text;
+}
+
 static void run(cli_call *call) {
   if (call->n_words < 1)
     cli_bad_usage("erosion: LEDGER is expected, a file; see 'asperity erosion --help'");
@@ -140,14 +150,17 @@ static void run(cli_call *call) {
   if (density->value)
     w.density = cli_quantity(density, "density", 1e-9, 1e9);
   cli_description d = {.wall = NULL};
+  w.ledger = cli_scatter_open(w.path, PLACE);
   if (has_law) {
-    d = cli_description_read(call->n_words - 1, call->words + 1, false);
+    char **words = call->words + 1;
+    int count = cli_ledger_words(w.ledger.table->header, call->n_words - 1, &words);
+    d = cli_description_read(count, words, false);
     take_law(&w, &d);
   }
   read_ledger(&w);
   if (density->value && w.has_mass)
     cli_bad_usage("--density has no effect: %s has the particles' mass", w.path);
-  FILE *out = cli_output_open(call, "output", d.text);
+  FILE *out = cli_output_open(call, "output", has_law ? clause_of(d.text, "erosion") : NULL);
   print_all(out, &w);
   cli_file_close(out);
 }
@@ -165,7 +178,8 @@ static const char detail[] =
     "and `ledger ... columns full` writes it. With `erosion LAW ...` it applies the law to\n"
     "impact angle, speed and diameter of the rows, on the mean wall: a ledger has only the\n"
     "first of the faces that `face tilted` needs. The particles' mass is the column mass,\n"
-    "or that of a sphere of --density. Ledgers are converted from their units to SI.\n";
+    "or that of a sphere of --density. Densities that are not stated are those of the two\n"
+    "materials in the ledger's heading. Ledgers are converted from their units to SI.\n";
 
 const cli_command cli_erosion = {
     .name = "erosion",

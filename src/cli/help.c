@@ -144,18 +144,9 @@ static void put_erosion(const aspi_erosion_law *law) {
   put_law(law->name, law->parameters, law->n_parameters, law->summary, law->source);
 }
 
-/* A form of a curve over the temperature; NULL: all of them. False if there is none. */
-static bool put_curve(const char *name) {
-  bool found = false;
-  for (const aspi_curve_form *f = aspi_curve_forms; f->name; f++) {
-    if (name && strcmp(f->name, name) != 0)
-      continue;
-    printf(name ? "behind %s:\n" : "", f->keywords);
-    put_law(f->n_parameters ? f->name : "table FILE", f->parameters, f->n_parameters, f->summary,
-            f->source);
-    found = true;
-  }
-  return found;
+static void put_curve(const aspi_curve_form *f) {
+  put_law(f->n_parameters ? f->name : "table FILE", f->parameters, f->n_parameters, f->summary,
+          f->source);
 }
 
 bool cli_help_word(const char *name) {
@@ -179,7 +170,13 @@ bool cli_help_word(const char *name) {
   printf(erosion ? "behind erosion:\n" : "");
   if (erosion)
     put_erosion(erosion);
-  return put_curve(name) || found;
+  for (const aspi_curve_form *f = aspi_curve_forms; f->name; f++)
+    if (strcmp(f->name, name) == 0) {
+      printf("behind %s:\n", f->keywords);
+      put_curve(f);
+      found = true;
+    }
+  return found;
 }
 
 void cli_help_wall(void) {
@@ -201,5 +198,6 @@ void cli_help_wall(void) {
   for (int i = 0; i < aspi_erosion_count(); i++)
     put_erosion(aspi_erosion_at(i));
   fputs("\nCurves of viscosity and of soften_modulus:\n", stdout);
-  put_curve(NULL);
+  for (const aspi_curve_form *f = aspi_curve_forms; f->name; f++)
+    put_curve(f);
 }

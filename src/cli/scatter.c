@@ -10,6 +10,13 @@
 /* A rebound this many times as fast as the impact is an error in the data, not noise. */
 #define FASTER_MOST 10
 
+/* Rows farther apart than this, in degrees, or by this logarithm of speeds or sizes, cannot be the
+ * scatter of one impact. */
+#define APART 4
+#define NEARLY 0.1
+
+#define RIGHT_ANGLE_RADIANS 1.571
+
 /* CoR_T of the whole speed along the wall. */
 static double cor_t_space(const double v[], const aspi_scatter_row *row) {
   double alpha = aspi_radians(row->degrees), normal = row->cor[COR_N] * sin(alpha);
@@ -115,6 +122,28 @@ static void read(cli_scatter *t, const cli_scatter_form *f, bool measured, aspi_
     qsort(s->rows, s->count, sizeof *s->rows, by_place);
 }
 
+/* True if no two rows are of the same place: a table or curve of a law, not impacts that scatter.
+ */
+static bool is_apart(const aspi_scatter *s) {
+  for (size_t i = 0; i < s->count; i++)
+    for (size_t k = 0; k < i; k++) {
+      const aspi_scatter_row *a = &s->rows[k], *b = &s->rows[i];
+      if (b->rows > 1 || (b->degrees - a->degrees < APART && !(fabs(log(b->v1 / a->v1)) > NEARLY) &&
+                          !(fabs(log(b->d_p / a->d_p)) > NEARLY)))
+        return false;
+    }
+  return s->count > 1 && !s->has_outcome;
+}
+
+/* Angles without a unit that may be radians. */
+static void check_angles(const char *path, const cli_scatter *t, const aspi_scatter *s) {
+  double most = s->count > 0 ? s->rows[s->count - 1].degrees : 0;
+  if (t->bare_angle && most > 0 && most <= RIGHT_ANGLE_RADIANS)
+    cli_bad_usage("%s: the angles are at most %.4g, and their unit is not stated; name the column "
+                  "alpha1_rad or alpha1_deg",
+                  path, most);
+}
+
 aspi_scatter cli_scatter_read_impacts(const char *path, const aspi_scatter *data,
                                       const aspi_grouping *grouping) {
   cli_scatter t = cli_scatter_open(path, MESH);
@@ -142,6 +171,7 @@ aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path,
   if (choice->value)
     cli_scatter_choose(&t, choice);
   cli_scatter_turn(&t, cli_get(call, "from"));
+  cli_scatter_take_means(&t);
   cli_scatter_form f = cli_scatter_find_form(&t);
   bool plane = f.means || f.points || f.components,
        angle = cli_scatter_has(&t, MEAN + REBOUND_ANGLE);
@@ -154,5 +184,12 @@ aspi_scatter cli_scatter_read_data(const cli_call *call, const char *path,
   read(&t, &f, true, &s);
   if (s.count == 0)
     cli_bad_usage("%s: no row of data", path);
+  check_angles(path, &t, &s);
+  if (!s.means && is_apart(&s)) {
+    s.means = true;
+    s.grouping = NULL;
+    cli_warn("%s: no two rows are at one angle and speed; they are taken as means without errors",
+             path);
+  }
   return s;
 }

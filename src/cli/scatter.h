@@ -27,7 +27,8 @@ enum {
   SD = MEAN + ASPI_COMPARED,
   SE = SD + ASPI_COMPARED,
   COUNT = SE + ASPI_COMPARED,
-  D_P,
+  PSI, /* tangential speed of the contact point before and after, over the normal one before */
+  D_P = PSI + 2,
   RADIUS,
   OUTCOME, /* 1 for a deposit, else 0 */
   MESH,
@@ -53,7 +54,10 @@ enum {
  * unit in SI (angles: degrees; NAN: unknown, as in `units lj`). */
 typedef struct cli_scatter {
   aspi_table *table;
-  bool is_ledger, needed[SCATTER_COLUMNS];
+  bool is_ledger;
+  bool bare_angle;          /* the impact angle has no unit */
+  bool has_errors_in_cells; /* means are `0.52 ± 0.07` */
+  bool needed[SCATTER_COLUMNS];
   int column_of[SCATTER_COLUMNS];
   int used[SCATTER_COLUMNS], count;  /* those that there are, when rows are read */
   bool from_normal[SCATTER_COLUMNS]; /* angles of the file that are turned */
@@ -69,6 +73,9 @@ void cli_scatter_choose(cli_scatter *table, const cli_option *choice);
 /* Turns angles that the file counts from the normal, by its name or by the user, into angles from
  * the wall. */
 void cli_scatter_turn(cli_scatter *table, const cli_option *from);
+
+/* Takes coefficients as means where there is their scatter or their number. */
+void cli_scatter_take_means(cli_scatter *table);
 
 /* Exits, with a hint, unless there is a column, with a number in each row. */
 void cli_scatter_need(cli_scatter *table, int column, const char *hint);
@@ -92,6 +99,8 @@ static inline bool cli_scatter_has(const cli_scatter *table, int column) {
 /* The columns that give the coefficients, in this order where there are several. */
 typedef struct cli_scatter_form {
   bool means, points, components, normal; /* normal: components of it alone */
+  bool drops;                             /* speeds without angles: along the normal */
+  bool psi;                               /* tangents in place of angles */
   aspi_projection ratios, velocities;     /* ASPI_PROJECTIONS: none */
   aspi_projection angles;                 /* alone; the same */
 } cli_scatter_form;
@@ -119,9 +128,11 @@ aspi_scatter_row cli_scatter_row_of(const cli_scatter_form *form, const double v
   "these columns, where they are there:\n"                                                         \
   "  impacts  alpha1, v1, alpha2_plane, v2_plane | alpha1, cor_v_plane, cor_alpha_plane |\n"       \
   "           v1_n, v1_t, v2_n, v2_t | v1_n, v2_n | alpha1, cor_n, cor_t |\n"                      \
+  "           v1, cor_n (along the normal) | psi1, psi2, cor_n (spheres, without spin) |\n"        \
   "           alpha1, alpha2_plane; with outcome (rebound or deposit), cor_n_se, cor_t_se\n"       \
   "  means    alpha1, cor_n_mean, cor_t_mean | alpha1, alpha2_plane_mean; with n and _sd\n"        \
-  "           or _se in place of _mean\n"                                                          \
+  "           or _se in place of _mean, or as sd, se behind the mean, or 0.52 ± 0.07 in a cell\n" \
+  "           (0.52 (0.07), 0.52(7))\n"                                                            \
   "and v1, dp with either. Give a polynomial by points on it, as means. _plane is the velocity\n"  \
   "in the plane of incidence, as one camera sees it; that in space is alpha2_space (0 to 90\n"     \
   "degrees from the wall), v2_space, cor_v_space and cor_alpha_space.\n"                           \

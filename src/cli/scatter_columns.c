@@ -36,10 +36,12 @@ static const struct {
   double least, most;
 } columns[SCATTER_COLUMNS] = {
     [ALPHA1] = {"alpha1 alpha_1 impact_angle alpha_in alpha_i angle_in ang_in incidence_angle "
-                "incident_angle "
-                "alpha alpha_impact theta_in theta_i theta beta_1 angle_from_normal",
+                "incident_angle alpha alpha_impact theta_in theta_i theta beta_1 angle_from_normal "
+                "angle_of_incidence auftreffwinkel aufprallwinkel",
                 ANGLE, 0, RIGHT_ANGLE},
-    [V1] = {"v1 impact_velocity impact_speed v_in vin v_i", SPEED, 0, LARGE},
+    [V1] = {"v1 impact_velocity impact_speed v_in vin v_i u_i v_imp velocity speed v "
+            "auftreffgeschwindigkeit",
+            SPEED, 0, LARGE},
     [ALPHA2 + ASPI_IN_PLANE] = {"alpha2_plane alpha_2_plane rebound_angle alpha_out alpha_r "
                                 "alpha_re angle_out ang_out ang_re "
                                 "theta_out theta_r beta_2",
@@ -56,8 +58,9 @@ static const struct {
     [V1_T] = {"v1_t", SPEED, -LARGE, LARGE},
     [V2_N] = {"v2_n", SPEED, -LARGE, LARGE},
     [V2_T] = {"v2_t", SPEED, -LARGE, LARGE},
-    [POINT] = {"cor_n e_n", RATIO, -LARGE, LARGE},
-    [POINT + COR_T] = {"cor_t e_t", RATIO, -LARGE, LARGE},
+    [POINT] = {"cor_n e_n en e cor epsilon_n e_normal restitution coefficient_of_restitution",
+               RATIO, -LARGE, LARGE},
+    [POINT + COR_T] = {"cor_t e_t et epsilon_t e_tangential", RATIO, -LARGE, LARGE},
     [MEAN] = {"cor_n_mean e_n_mean", RATIO, -LARGE, LARGE},
     [MEAN + COR_T] = {"cor_t_mean e_t_mean", RATIO, -LARGE, LARGE},
     [MEAN + REBOUND_ANGLE] = {"alpha2_plane_mean alpha2_mean rebound_angle_mean", ANGLE,
@@ -70,7 +73,9 @@ static const struct {
     [SE + COR_T] = {"cor_t_se cor_t_sem e_t_se e_t_sem", RATIO, 0, LARGE},
     [SE + REBOUND_ANGLE] = {"alpha2_plane_se alpha2_se rebound_angle_se rebound_angle_sem", ANGLE,
                             0, RIGHT_ANGLE},
-    [COUNT] = {"n", RATIO, 0, LARGE},
+    [COUNT] = {"n count number_of_impacts anzahl", RATIO, 0, LARGE},
+    [PSI] = {"psi1 psi_1 psi_i", RATIO, 0, LARGE},
+    [PSI + 1] = {"psi2 psi_2 psi_r", RATIO, -LARGE, LARGE},
     [D_P] = {"dp d_p diameter particle_diameter", LENGTH, 0, LARGE},
     [RADIUS] = {"radius particle_radius", LENGTH, 0, LARGE},
     [OUTCOME] = {"outcome", RATIO, 0, 0},
@@ -116,6 +121,24 @@ static int find_column(const char *name, const char **rest) {
   return -1;
 }
 
+/* The name of a column that is the mean, scatter or error of another one: `Mittelwert e_n` as
+ * e_n_mean, `sd` behind e_n as e_n_sd. */
+static void full_name(const char *plain, const char *before, char name[ASP_PLAIN_MOST]) {
+  static const char *const words[][2] = {
+      {"mean", "mean average avg mittelwert moyenne"},
+      {"sd", "sd std s_d stdev std_dev standard_deviation standardabw standardabweichung"},
+      {"se", "se sem s_e std_err standard_error standardfehler"}};
+  snprintf(name, ASP_PLAIN_MOST, "%s", plain);
+  for (int i = 0; i < 3; i++)
+    for (size_t length = strlen(plain); length > 0; length--)
+      if ((!plain[length] || plain[length] == '_') &&
+          aspi_word_index(words[i][1], plain, length, true) >= 0) {
+        const char *of = plain[length] ? plain + length + 1 : before;
+        snprintf(name, ASP_PLAIN_MOST, "%.70s_%s", of, words[i][0]);
+        return;
+      }
+}
+
 /* The unit behind a column's name in SI, m/s written as m_s: 0 where none is stated, NAN if it is
  * not read, -1 if it is no unit but a part of another name. `stated`: the file has it in brackets.
  */
@@ -151,7 +174,7 @@ static double ledger_unit(const char *header, const char *kind) {
 }
 
 /* The unit of a column by its name; exits where it is not read, or one is missing. */
-static double unit_of(const cli_scatter *t, int place, int column, double factor) {
+static double unit_of(cli_scatter *t, int place, int column, double factor) {
   const char *kind = columns[column].kind, *name = t->table->column[place].name;
   const char *path = t->table->text.path;
   const int own = (int)strcspn(columns[column].names, " ");
@@ -167,6 +190,8 @@ static double unit_of(const cli_scatter *t, int place, int column, double factor
   if (strcmp(kind, LENGTH) == 0)
     cli_bad_usage("%s: the unit of column '%s' is not stated; name it %.*s_um, _mm or _m", path,
                   name, own, columns[column].names);
+  if (strcmp(kind, ANGLE) == 0 && column == ALPHA1)
+    t->bare_angle = true;
   if (strcmp(kind, ANGLE) == 0)
     cli_warn("%s: the unit of column '%s' is not stated; it is taken as degrees (name it %.*s_deg "
              "or _rad)",
@@ -220,10 +245,15 @@ cli_scatter cli_scatter_open(const char *path, int end) {
   t.is_ledger = strstr(t.table->header, UNITS) || aspi_table_find(t.table, "tilt_out_deg") >= 0;
   for (int c = 0; c < SCATTER_COLUMNS; c++)
     t.column_of[c] = -1;
+  const char *before = "";
   for (int i = 0; i < t.table->columns; i++) {
     const aspi_column *column = &t.table->column[i];
+    char name[ASP_PLAIN_MOST];
     const char *rest;
-    int c = find_column(column->plain, &rest);
+    full_name(column->plain, before, name);
+    int c = find_column(name, &rest);
+    if (c >= POINT && c < SD) /* of a coefficient or its mean, for `sd` behind it */
+      before = c == POINT || c == MEAN ? "cor_n" : c == MEAN + REBOUND_ANGLE ? "alpha2" : "cor_t";
     double factor = c >= 0 && c < end ? factor_of(columns[c].kind, rest, column->bracketed) : -1;
     if (factor < 0)
       continue;
@@ -268,6 +298,52 @@ static double outcome_of(const aspi_table *table, const char *word) {
                 table->text.path, table->text.line, word);
 }
 
+/* Cuts `0.52 ± 0.07`, `0.52 (0.07)` or `0.523(7)` behind the first number; returns the second one,
+ * NAN if there is none. */
+static double cut_error(char *field) {
+  char *mark = strpbrk(field, "(+\xC2\xB1"), *number, *end;
+  double error,
+      decimals = mark ? (double)strcspn(field, " (") - (double)strcspn(field, ".,") - 1 : 0;
+  if (!mark || mark == field)
+    return NAN;
+  number = mark + strspn(mark, "(+/-\xC2\xB1 ");
+  end = number + strcspn(number, ")");
+  *end = '\0';
+  if (aspi_text_number(number, false, &error) != ASP_WORD_NUMBER)
+    return NAN;
+  bool last_digits = *mark == '(' && !strpbrk(number, ".,") && decimals > 0;
+  *mark = '\0';
+  return last_digits ? error * pow(10, -decimals) : error;
+}
+
+/* True if the first row has a mean with its scatter in a cell. */
+static bool has_error(const cli_scatter *t, int column) {
+  char copy[ASP_PLAIN_MOST];
+  int at = t->column_of[column];
+  if (at < 0 || !t->table->has_row || at >= t->table->count)
+    return false;
+  snprintf(copy, sizeof copy, "%s", t->table->fields[at]);
+  return !isnan(cut_error(copy));
+}
+
+void cli_scatter_take_means(cli_scatter *t) {
+  bool means = cli_scatter_has(t, COUNT), in_cells = false;
+  for (int k = 0; k < COR_BOTH; k++) {
+    in_cells = in_cells || has_error(t, POINT + k) || has_error(t, MEAN + k);
+    means = means || in_cells || cli_scatter_has(t, SD + k);
+  }
+  for (int k = 0; k < COR_BOTH && means; k++)
+    if (cli_scatter_has(t, POINT + k) && !cli_scatter_has(t, MEAN + k)) {
+      t->column_of[MEAN + k] = t->column_of[POINT + k];
+      t->factor[MEAN + k] = 1;
+      t->column_of[POINT + k] = -1;
+    }
+  t->has_errors_in_cells = in_cells;
+  if (in_cells)
+    cli_warn("%s: the second numbers in the cells of means are taken as standard deviations",
+             t->table->text.path);
+}
+
 bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
   bool found, missing;
   cli_must(!aspi_table_row(t->table, &found, &cli_error));
@@ -279,6 +355,11 @@ bool cli_scatter_row(cli_scatter *t, double value[SCATTER_COLUMNS]) {
   for (int k = 0; k < t->count && found; k++) {
     int c = t->used[k];
     double factor = strcmp(columns[c].kind, ANGLE) == 0 ? t->factor[c] : 1;
+    double in_cell = t->has_errors_in_cells && c >= MEAN && c < SD
+                         ? cut_error(t->table->fields[t->column_of[c]])
+                         : NAN;
+    if (!isnan(in_cell) && !cli_scatter_has(t, SD + c - MEAN))
+      value[SD + c - MEAN] = in_cell;
     if (c == OUTCOME)
       value[c] = outcome_of(t->table, t->table->fields[t->column_of[c]]);
     else

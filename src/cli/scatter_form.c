@@ -40,7 +40,14 @@ cli_scatter_form cli_scatter_find_form(cli_scatter *t) {
     projection++;
   f.angles = (aspi_projection)projection;
   impacts = impacts || projection < ASPI_PROJECTIONS;
-  if (!f.components)
+  f.psi = cli_scatter_has(t, PSI) && cli_scatter_has(t, PSI + 1);
+  if (!f.components && !cli_scatter_has(t, ALPHA1) && !f.psi && cli_scatter_has(t, V1) &&
+      (cli_scatter_has(t, POINT) || cli_scatter_has(t, MEAN)))
+    f.drops = true;
+  if (f.drops)
+    cli_warn("%s: speeds and coefficients without angles are taken as impacts along the normal",
+             t->table->text.path);
+  if (!f.components && !f.psi && !f.drops)
     cli_scatter_need(t, ALPHA1,
                      "; it is the impact angle from the wall (--from normal turns those from its "
                      "normal), also called impact_angle, alpha_in or theta_i; --columns alpha1=1 "
@@ -69,6 +76,12 @@ aspi_scatter_row cli_scatter_row_of(const cli_scatter_form *f, const double v[])
     row.cor[k] = f->means ? v[MEAN + k] : k < COR_BOTH ? v[POINT + k] : NAN;
     row.sd[k] = v[SD + k];
     row.se[k] = v[SE + k];
+  }
+  if (f->psi) { /* a homogeneous sphere: 1/(1 + 5/2) of the change at the contact is the center's */
+    row.degrees = aspi_degrees(atan2(1, v[PSI]));
+    row.cor[COR_T] = 5. / 7 + 2. / 7 * v[PSI + 1] / v[PSI];
+  } else if (f->drops) {
+    row.degrees = 90;
   }
   if (f->angles < ASPI_PROJECTIONS)
     row.cor[REBOUND_ANGLE] = fabs(v[ALPHA2 + f->angles]);

@@ -59,12 +59,6 @@ struct Spheres {
   }
 };
 
-/* A number of each particle of this rank, in their order; NULL: there is none. */
-struct Column {
-  const double *first;
-  size_t stride;
-};
-
 class Engine {
 public:
   virtual ~Engine() {}
@@ -94,8 +88,8 @@ public:
     return "";
   }
 
-  /* The numbers of that name, as they are now. Throws an Error that tells which names there are. */
-  virtual Column column(const std::string &name) const = 0;
+  /* The numbers of that name of this rank's particles; throws an Error that tells the names. */
+  virtual const double *numbers(const std::string &name) const = 0;
 
   /* The diameters of the group's particles that there are or will be, of all ranks. Both 0: none.
    */

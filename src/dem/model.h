@@ -132,7 +132,6 @@ private:
   std::string report(const asp_particle &particles) const;
   std::string describe_speeds() const;
   std::string describe_file() const;
-  std::string describe_heat() const;
 
   const Engine &engine_;
   std::string units_name_;

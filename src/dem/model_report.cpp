@@ -111,22 +111,11 @@ std::string Model::describe_file() const {
   return line;
 }
 
-/* What sticks by its viscosity, where all particles have one temperature. */
-std::string Model::describe_heat() const {
-  double share;
-  if (!is_given("viscosity") || asp_wall_sticking(wall(), 0, &share, NULL))
-    return "";
-  return text("\n  at %g K an impact sticks with the probability %.3g by its viscosity, besides "
-              "what the law holds",
-              temperature_, share);
-}
-
 std::string Model::take_report() {
   if (!is_new_ || !wall_)
     return "";
   is_new_ = false;
   asp_particle largest = asp_particle();
   largest.d_p = most_;
-  return description() + describe_file() + report(largest) + materials_report_ + describe_speeds() +
-         describe_heat();
+  return description() + describe_file() + report(largest) + materials_report_ + describe_speeds();
 }

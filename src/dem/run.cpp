@@ -118,12 +118,17 @@ void Run::hold() {
     return;
   for (Run *each : walls_)
     each->set_rows();
-  Spheres s = spheres();
-  Bodies *all = take_bodies();
-  s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
-  if (all)
-    all->dt = s.dt;
-  end_walls(steppers(), s, all);
+  Bodies *all = NULL;
+  try {
+    Spheres s = spheres();
+    all = take_bodies();
+    s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
+    if (all)
+      all->dt = s.dt;
+    end_walls(steppers(), s, all);
+  } catch (const std::exception &wrong) {
+    fail_alone(message_of(wrong));
+  }
   if (all) {
     bodies().put(true, wall.setup.engine.world());
     body_rows_.show(steppers(), *all, wall.setup.engine.world());

@@ -10,7 +10,7 @@ using namespace asperity;
 
 Setup::Setup(const Engine &of)
     : engine(of), model(of), key(asp_key_wall(of.id().c_str())),
-      stay_key(asp_key_wall((of.id() + " stays").c_str())), interlocks(true), temperatures(),
+      stay_key(asp_key_wall((of.id() + " stays").c_str())), interlocks(true), temperatures(NULL),
       groupbit(1), box(), clock(), dt(0) {}
 
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
@@ -23,11 +23,6 @@ void Setup::set_clock(int64_t step, double now_dt) {
     clock = Clock{engine.time(), now, dt};
   else if (clock.dt < dt || clock.dt > dt)
     clock = Clock{time(now), now, dt};
-}
-
-void Setup::find_temperatures() {
-  if (!temperature_of.empty())
-    temperatures = engine.column(temperature_of);
 }
 
 void Setup::check_bodies() const {

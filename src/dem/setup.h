@@ -36,7 +36,7 @@ struct Setup {
   uint32_t key, stay_key;     /* of the draws: of impacts, and of particles that stay at the wall */
   bool interlocks;            /* valleys hold particles */
   std::string temperature_of; /* the engine's name of the particles' temperatures; "": none */
-  Column temperatures;        /* in this step */
+  const double *temperatures; /* in this step; NULL: none */
   int groupbit;
   Box box;
   Clock clock;
@@ -50,12 +50,13 @@ struct Setup {
   }
   void set_clock(int64_t step, double dt);
 
-  /* Finds the temperatures, which may have moved since the last step; and that of a particle of
-   * this rank, K, 0 where it is not known. */
-  void find_temperatures();
+  /* They may have moved since the last step. */
+  void find_temperatures() {
+    temperatures = temperature_of.empty() ? NULL : engine.numbers(temperature_of);
+  }
+  /* Of a particle of this rank, K; 0: unknown. */
   double temperature(int i) const {
-    return temperatures.first ? temperatures.first[static_cast<size_t>(i) * temperatures.stride]
-                              : model.temperature();
+    return temperatures ? temperatures[i] : model.temperature();
   }
 
   /* Throws an Error if bodies cannot hit this wall. */

@@ -16,8 +16,7 @@ bool asp_description_needs_sizes(const asp_description *d) {
 
 /* Why a word with this need has no effect; "": it has one. */
 static void find_lack(const asp_description *d, aspi_need need, char *why, size_t size) {
-  const double rate = asp_description_get(d, "yield_rate"),
-               heat = asp_description_get(d, "temperature"),
+  const double rate = asp_description_get(d, "yield_rate"), heat = d->choice.heat.temperature,
                from = asp_description_get(d, "soften_from");
   const bool is_cold = !aspi_is_fit(d, "temperature") && !aspi_is_fit(d, "soften_from") &&
                        heat <= from && !aspi_heat_counts(&d->choice.heat);

@@ -20,8 +20,8 @@ static asp_code read_curve(aspi_words *r, const aspi_keyword *k, aspi_curve *cur
   curve->unit = aspi_quantity_factor(is_modulus(k) ? "stress" : "viscosity", &r->d->units);
   for (int i = 0; i < form->n_parameters && !code; i++)
     code = aspi_words_number(r, &form->parameters[i], &curve->parameters[i]);
-  if (!code && form->check)
-    code = form->check(curve->parameters, r->error);
+  if (!code && form->begin)
+    code = form->begin(curve, r->error);
   if (form->n_parameters > 0)
     return code;
   code = aspi_words_file(r, k->name, &curve->file);

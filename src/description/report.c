@@ -70,14 +70,30 @@ static void add_surface(report *r, const asp_check_input *input) {
   add_sizes(r, input, s);
 }
 
-static void add_capture(report *r, double d_p, double speed, const char *verb) {
-  add(r, "%s d_p %.4g %s", r->length ? "," : "", d_p, verb);
+static void add_speed(report *r, double speed) {
   if (isinf(speed))
     add(r, "at any speed");
   else if (speed > 0)
     add(r, "below %.3g along the normal", speed);
   else
     add(r, "never");
+}
+
+/* The two laws with adhesion have capture speeds that are far apart: that by the other one. */
+static void add_other_law(report *r, const asp_description *d, const asp_particle *particle) {
+  const bool is_bons = strcmp(d->choice.law->name, "bons") == 0;
+  const char *other = is_bons ? "thornton_ning" : "bons";
+  if (!is_bons && strcmp(d->choice.law->name, "thornton_ning") != 0)
+    return;
+  asp_description *by =
+      asp_description_parse(is_bons ? "rebound thornton_ning" : "rebound bons", &d->units, NULL);
+  double speed = by ? asp_description_capture_speed(by, particle) : 0;
+  if (speed > 0) {
+    add(r, " (by %s ", other);
+    add_speed(r, speed);
+    add(r, ")");
+  }
+  asp_description_free(by);
 }
 
 /* A particle yields above v_y = sigma_y/sqrt(rho E_c) (Bons et al. 2017), but for a law with a
@@ -96,9 +112,12 @@ static void add_speeds(report *r, const asp_check_input *input) {
     double speed = asp_description_capture_speed(d, &particle);
     if (k == 0 && !(speed > 0))
       return;
-    if (k == 0 || d_p[1] > d_p[0])
-      add_capture(r, d_p[k], speed, k == 0 ? "sticks " : "");
+    if (k == 0 || d_p[1] > d_p[0]) {
+      add(r, "%s d_p %.4g %s", r->length ? "," : "", d_p[k], k == 0 ? "sticks " : "");
+      add_speed(r, speed);
+    }
   }
+  add_other_law(r, d, &particle);
 }
 
 size_t asp_wall_report(const asp_check_input *input, char *text, size_t size) {

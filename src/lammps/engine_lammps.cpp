@@ -60,26 +60,19 @@ double EngineOfLammps::radius_to_come(int type) const {
   return most;
 }
 
-/* A number of the atom style, one of fix property/atom (d_NAME), or of a fix (f_ID, f_ID[N]). */
-asperity::Column EngineOfLammps::column(const std::string &name) const {
-  Atom *atom = program_->atom;
-  const size_t bracket = name.find('[');
-  const int at = bracket == std::string::npos ? 0 : atoi(name.c_str() + bracket + 1);
-  const int number =
-      name.compare(0, 2, "f_") == 0 ? program_->modify->find_fix(name.substr(2, bracket - 2)) : -1;
-  const Fix *fix = number < 0 ? NULL : program_->modify->fix[number];
-  if (fix && fix->peratom_flag && at == 0 && fix->size_peratom_cols == 0)
-    return asperity::Column{fix->vector_atom, 1};
-  if (fix && fix->peratom_flag && at > 0 && at <= fix->size_peratom_cols)
-    return asperity::Column{fix->array_atom ? fix->array_atom[0] + at - 1 : NULL,
-                            static_cast<size_t>(fix->size_peratom_cols)};
-  const bool is_number = atom->extract_datatype(name.c_str()) == LAMMPS_DOUBLE;
-  const double *values = is_number ? static_cast<double *>(atom->extract(name.c_str())) : NULL;
+/* A number of the atom style, one of fix property/atom (d_NAME), or of a fix (f_ID). */
+const double *EngineOfLammps::numbers(const std::string &name) const {
+  auto *modify = program_->modify;
+  const int at = name.compare(0, 2, "f_") == 0 ? modify->find_fix(name.substr(2)) : -1;
+  if (at >= 0 && modify->fix[at]->peratom_flag && modify->fix[at]->size_peratom_cols == 0)
+    return modify->fix[at]->vector_atom;
+  const bool is_double = program_->atom->extract_datatype(name.c_str()) == LAMMPS_DOUBLE;
+  const void *values = is_double ? program_->atom->extract(name.c_str()) : NULL;
   if (!values)
     throw asperity::Error("the numbers '" + name +
                           "' do not exist; they must be temperature, where the atom style has it, "
-                          "d_NAME of fix property/atom, f_ID or f_ID[N] of a fix");
-  return asperity::Column{values, 1};
+                          "d_NAME of fix property/atom, or f_ID of a fix with one number");
+  return static_cast<const double *>(values);
 }
 
 /* For particles still to come, LAMMPS gives only the largest diameter of each type. */

@@ -21,7 +21,7 @@ public:
   double time() const override;
   void warn(const std::string &what) const override;
   void print(const std::string &what) const override;
-  asperity::Column column(const std::string &name) const override;
+  const double *numbers(const std::string &name) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
 

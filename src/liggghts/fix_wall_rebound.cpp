@@ -227,14 +227,14 @@ std::string FixWallRebound::how_to_state(const char *name, bool pairs,
 }
 
 /* A property of one number, such as the one that fix heat/gran makes. */
-asperity::Column FixWallRebound::column(const std::string &name) const {
+const double *FixWallRebound::numbers(const std::string &name) const {
   Fix *found =
       modify->find_fix_property(name.c_str(), "property/atom", "scalar", 0, 0, style, false);
   if (!found)
     throw asperity::Error("the numbers '" + name + "' do not exist; they must be of a 'fix " +
                           name + " all property/atom " + name +
                           " scalar ...', or 'Temp' of fix heat/gran");
-  return asperity::Column{found->vector_atom, 1};
+  return found->vector_atom;
 }
 
 /* Of the group's particles, and of all that fixes will insert: their groups are those of templates,

@@ -70,7 +70,7 @@ private:
   void print(const std::string &what) const override;
   bool constants(const char *name, bool pairs, std::vector<double> &values) const override;
   std::string how_to_state(const char *name, bool pairs, const std::string &values) const override;
-  asperity::Column column(const std::string &name) const override;
+  const double *numbers(const std::string &name) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
   void fail(const std::string &what) const override;

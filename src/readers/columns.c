@@ -9,6 +9,7 @@
 #include "base/table.h"
 #include "base/tolerances.h"
 #include "base/units.h"
+#include "readers/head.h"
 #include "readers/points.h"
 
 #include <ctype.h>
@@ -22,19 +23,6 @@ enum { ROWS_LEAST = 3 };
 
 /* Axes of a matrix are even but for this part of their step. */
 #define UNEVEN 1e-3
-
-/* Keys of a header, in English, German and French. Those of SPIP, ESRI and softgauges are as public
- * files have them; Gwyddion's German and French words for the unit were not seen in a file. */
-static const char key_width[] = "width|breite|largeur|x length",
-                  key_height[] = "height|h\xC3\xB6he|h\xF6he|hoehe|hauteur|y length",
-                  key_spacing[] = "spacing|x spacing|pixel size|cellsize|pitch|point spacing|"
-                                  "sampling interval|teilung|punktabstand|pas",
-                  key_unit[] = "value units|z unit|exported image units|units|werteinheiten|"
-                               "einheiten der werte|werteinheit|einheit|unit\xC3\xA9s|unit\xE9s",
-                  key_factor[] = "height conversion factor",
-                  key_count[] = "numpoints|number of points|datenanzahl|anzahl punkte|"
-                                "nombre de points",
-                  key_rows[] = "y pixels|nrows";
 
 /* First words of names of positions and heights, of heights that count downward, and of a column
  * that is 0 where the height is none. */
@@ -58,40 +46,13 @@ typedef struct reader {
   int column[AXES];                 /* from 0, -1 if there is none; of a matrix Z is -1 */
   double unit[3];                   /* m; < 0 for depths */
   double step[2];                   /* m, as the user or the file states it; 0: it is not stated */
+  double known_unit;                /* of the heights, by the format; 0: unknown */
   double value[3];                  /* of the current row in those columns, not in a matrix */
   int due;                          /* fields of a row */
   size_t stated;                    /* rows by the header, 0: it does not say */
   size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
   aspi_missing missing;
 } reader;
-
-/* ---- the header ---- */
-
-/* Meters in a number and a unit of a line, of a number alone in `unit`, or of a unit alone. */
-static double length_in(const char *line, double unit) {
-  char text[ASP_PLAIN_MOST], plain[ASP_PLAIN_MOST], *at = text;
-  snprintf(text, sizeof text, "%.*s", (int)strcspn(line ? line : "", "\n<"), line ? line : "");
-  if (*at == '(' && strchr(at, '='))
-    at = strchr(at, '=') + 1;
-  size_t digits = strspn(at, "+-0123456789.,eE");
-  double value = 1;
-  aspi_plain(at + digits, plain, sizeof plain);
-  double own = aspi_unit_meters(plain, strcspn(plain, "_"));
-  bool empty = !*at;
-  at[digits] = '\0';
-  if (empty || (digits > 0 && aspi_text_number(at, false, &value) != ASP_WORD_NUMBER))
-    return 0;
-  return value * (own > 0 ? own : digits > 0 ? unit : 0);
-}
-
-static double length_of(const reader *r, const char *keys, double unit) {
-  return length_in(aspi_table_value(r->table, keys), unit);
-}
-
-static size_t count_of(const reader *r, const char *keys) {
-  const char *text = aspi_table_value(r->table, keys);
-  return text ? (size_t)strtoul(text, NULL, 10) : 0;
-}
 
 /* ---- names ---- */
 
@@ -164,10 +125,14 @@ static asp_code find_units(reader *r, asp_error *error) {
   const aspi_profile_options *o = r->options;
   for (int k = X; k <= Z; k++) {
     int at = r->column[k];
-    double own = k < Z ? o->unit_x : o->unit_z, factor = k == Z ? length_of(r, key_factor, 1) : 0;
+    double own = k < Z ? o->unit_x : o->unit_z,
+           factor = k == Z ? aspi_head_length(r->table, ASPI_HEAD_FACTOR, 1) : 0;
     const aspi_column *c = at >= 0 && at < r->table->columns ? &r->table->column[at] : NULL;
     double unit = own > 0 ? own : c && unit_in(c) > 0 ? unit_in(c) : factor;
-    r->unit[k] = k < Z && at < 0 ? 1 : unit > 0 ? unit : length_of(r, key_unit, 1);
+    unit = !(unit > 0) && k == Z ? r->known_unit : unit;
+    r->unit[k] = k < Z && at < 0 ? 1
+                 : unit > 0      ? unit
+                                 : aspi_head_length(r->table, ASPI_HEAD_UNIT, 1);
     if (!(r->unit[k] > 0) && r->column[Z] < 0)
       return aspi_table_fail(
           r->table, error,
@@ -217,12 +182,22 @@ static asp_code choose_profile(reader *r, asp_error *error) {
   return find_units(r, error);
 }
 
+/* True for x, y, z, and red, green, blue as whole numbers to 255, perhaps another one behind. */
+static bool has_colors(const reader *r) {
+  double v[7], whole = 0;
+  for (int i = 0; i < 6 && r->due >= 6 && r->due <= 7 && r->table->columns == 0; i++)
+    if (aspi_table_field(r->table, i, &v[i]) == ASP_WORD_NUMBER)
+      whole += i >= 3 ? v[i] >= 0 && v[i] <= 255 && !strpbrk(r->table->fields[i], ".,")
+                      : !strpbrk(r->table->fields[i], ".,");
+  return whole >= 3 && whole < 6 && strpbrk(r->table->fields[2], ".,");
+}
+
 static asp_code choose_map(reader *r, asp_error *error) {
   int x = first_of(r, "x", -1), y = first_of(r, "y", -1), z = first_of(r, "z", -1);
   z = z < 0 ? first_of(r, heights, -1) : z;
   bool named = x >= 0 && y >= 0 && z >= 0;
   for (int k = X; k <= Z; k++)
-    r->column[k] = named ? (const int[]){x, y, z}[k] : r->due == 3 ? k : -1;
+    r->column[k] = named ? (const int[]){x, y, z}[k] : r->due == 3 || has_colors(r) ? k : -1;
   return find_units(r, error);
 }
 
@@ -329,20 +304,37 @@ static bool is_even(const double *z, size_t count, size_t stride, double *step) 
   return even;
 }
 
-/* Takes the first row and column of a matrix for axes where both rise evenly, in units of x. */
+/* Takes the first row or column of a matrix, or both, for axes where they rise evenly, in units of
+ * x; one of 0, 1, 2, ... or 1, 2, 3, ... is an index and gives no step. */
 static void take_axes(reader *r, double unit_x, aspi_raw *raw) {
   size_t n = raw->columns, rows = raw->rows;
-  double step[2];
-  if (n < 2 || rows < 2 || !is_even(raw->z + 1, n - 1, 1, &step[0]) ||
-      !is_even(raw->z + n, rows - 1, n, &step[1]))
+  double step[2], first[2] = {raw->z[n > 1], raw->z[rows > 1 ? n : 0]};
+  if (n < 2 || rows < 2)
     return;
-  for (size_t i = 1; i < rows; i++)
-    memmove(raw->z + (i - 1) * (n - 1), raw->z + i * n + 1, (n - 1) * sizeof *raw->z);
-  raw->columns--;
-  raw->rows--;
+  size_t row = is_even(raw->z + 1, n - 1, 1, &step[0]);
+  size_t column = is_even(raw->z + n, rows - 1, n, &step[1]);
+  if (row + column == 1) { /* alone it is the whole one */
+    first[0] = first[1] = raw->z[0];
+    row = row && is_even(raw->z, n, 1, &step[0]);
+    column = column && is_even(raw->z, rows, n, &step[1]);
+  }
+  if (row + column == 0)
+    return;
+  for (size_t i = row; i < rows; i++)
+    memmove(raw->z + (i - row) * (n - column), raw->z + i * n + column,
+            (n - column) * sizeof *raw->z);
+  raw->columns -= column;
+  raw->rows -= row;
   raw->points = raw->columns * raw->rows;
-  for (int k = 0; k < 2; k++)
-    r->step[k] = r->step[k] > 0 ? r->step[k] : step[k] / r->unit[Z] * unit_x;
+  if (row + column == 1)
+    snprintf(raw->note, sizeof raw->note, "the first %s, of even steps, is left out",
+             row ? "row" : "column");
+  for (size_t k = 0; k < 2; k++) {
+    double by = step[k] / r->unit[Z], from = first[k] / r->unit[Z];
+    bool index = fabs(by - 1) < UNEVEN && (fabs(from) < UNEVEN || fabs(from - 1) < UNEVEN);
+    if ((k ? column : row) && !(r->step[k] > 0) && (!index || row + column == 2))
+      r->step[k] = by * unit_x;
+  }
 }
 
 static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
@@ -354,8 +346,9 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
       code = aspi_raw_add(raw, height_at(r, i, raw), error);
   if (code)
     return code;
-  take_axes(r, o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1), raw);
-  double side[2] = {length_of(r, key_width, 1e-9), length_of(r, key_height, 1e-9)}; /* SPIP: nm */
+  take_axes(r, o->unit_x > 0 ? o->unit_x : aspi_head_length(r->table, ASPI_HEAD_UNIT, 1), raw);
+  double side[2] = {aspi_head_length(r->table, ASPI_HEAD_WIDTH, 1e-9),
+                    aspi_head_length(r->table, ASPI_HEAD_HEIGHT, 1e-9)}; /* SPIP: nm */
   for (int k = 0; k < 2; k++)
     raw->step[k] = r->step[k] > 0 ? r->step[k] : side[k] / (double)(k ? raw->rows : raw->columns);
   if (!(raw->step[0] > 0))
@@ -402,6 +395,13 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
   }
   if (!code && r->due == 1)
     drop_count(points, r, raw);
+  size_t flags = 0;
+  for (size_t i = 0; i < points->count && !code; i++)
+    flags += fabs(points->list[i].z * (points->list[i].z - r->unit[Z])) <= 0;
+  if (!code && points->count > ROWS_LEAST && flags == points->count)
+    return aspi_file_fail(r->table->text.path, 0, error,
+                          "column %d has only 0 and 1, as marks of valid points; " ASK_COLUMNS,
+                          at[Z] + 1);
   return code;
 }
 
@@ -439,11 +439,16 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
                            "the file ends without a line of two numbers or more (heights alone of "
                            "a profile need the step between them: asperity surface --step 0.5um)");
   r->due = t->columns > t->count ? t->columns : t->count;
-  double unit = o->unit_x > 0 ? o->unit_x : length_of(r, key_unit, 1);
+  double unit = o->unit_x > 0 ? o->unit_x : aspi_head_length(r->table, ASPI_HEAD_UNIT, 1);
   for (int k = 0; k < 2; k++)
-    r->step[k] = o->step[k] > 0 || (!raw->is_map && t->count > 1) ? o->step[k]
-                                                                  : length_of(r, key_spacing, unit);
-  r->stated = count_of(r, raw->is_map ? key_rows : key_count);
+    r->step[k] = o->step[k] > 0 || (!raw->is_map && t->count > 1)
+                     ? o->step[k]
+                     : aspi_head_length(r->table, ASPI_HEAD_SPACING, unit);
+  if (raw->is_map && !(o->step[0] > 0) && aspi_head_length(r->table, ASPI_HEAD_Y_SPACING, unit) > 0)
+    r->step[1] = aspi_head_length(r->table, ASPI_HEAD_Y_SPACING, unit);
+  if (raw->is_map && !(o->step[0] > 0))
+    aspi_head_known(t, o->unit_x > 0 ? o->unit_x : o->unit_z, r->step, &r->known_unit);
+  r->stated = aspi_head_count(r->table, raw->is_map ? ASPI_HEAD_ROWS : ASPI_HEAD_COUNT);
   asp_code code = raw->is_map ? choose_map(r, error) : choose_profile(r, error);
   r->due = r->column[Z] < 0 ? t->count : r->due;
   r->column[VALID] = r->column[Z] < 0 ? -1 : first_of(r, marks, -1);

@@ -30,6 +30,7 @@ static const struct {
               {"Binary TrueMap", 14, "TrueMap TMD", GWYDDION},
               {"WSxM file", 9, "Nanotec WSxM", GWYDDION},
               {"\x01\0Directory", 11, "Wyko (Veeco) OPD", GWYDDION},
+              {"Zygo XYZ Data File", 18, "text of Zygo's XYZ", GWYDDION},
               {"GWYP", 4, "Gwyddion's own", GWYDDION},
               {"\x89HDF", 4, "HDF5", "; save its heights as text"},
               {"\x93NUMPY", 6, "NumPy", "; save it as text, numpy.savetxt"},
@@ -54,7 +55,8 @@ asp_code aspi_format_find(aspi_text *text, aspi_format *format, asp_error *error
     }
   name = !name && size > 24 && is_sensofar(begin) ? "Sensofar PLU" : name;
   if (name && !code && !strstr(begin, "ASCII")) /* as WSxM begins its text, too */
-    return aspi_file_fail(text->path, 0, error, "binary, of %s%s", name, way);
+    return aspi_file_fail(text->path, 0, error, "%s%s%s",
+                          strncmp(name, "text ", 5) == 0 ? "" : "binary, of ", name, way);
   first += strncmp(begin, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
   first += strspn(first, " \t\r\n");
   bool sdf =

@@ -18,8 +18,17 @@ static double unit_at(const unsigned char *bytes) {
   return aspi_unit_meters(unit, strlen(unit));
 }
 
-static asp_code read_header(aspi_text *text, aspi_height_grid *h, asp_error *error) {
-  enum { TYPE = 18, MISSING = 86, BITS = 98, LEAST = 100, COUNTS = 108, STEPS = 120, UNITS = 180 };
+static asp_code read_header(aspi_text *text, aspi_height_grid *h, aspi_raw *raw, asp_error *error) {
+  enum {
+    OBJECTS = 14,
+    TYPE = 18,
+    MISSING = 86,
+    BITS = 98,
+    LEAST = 100,
+    COUNTS = 108,
+    STEPS = 120,
+    UNITS = 180
+  };
   enum { COMMENT = 334, HEAD = 512 };
   unsigned char head[HEAD];
   if (fread(head, 1, sizeof head, text->stream) != sizeof head)
@@ -34,6 +43,9 @@ static asp_code read_header(aspi_text *text, aspi_height_grid *h, asp_error *err
               : aspi_bytes_whole(head + BITS, 2) == 16 ? 5
                                                        : -2,
       .mark = aspi_bytes_whole(head + MISSING, 2) ? aspi_bytes_height(head + LEAST, 6) - 2 : NAN};
+  if (aspi_bytes_whole(head + OBJECTS, 2) > 1)
+    snprintf(raw->note, sizeof raw->note, "of its %d objects the first is read",
+             (int)aspi_bytes_whole(head + OBJECTS, 2));
   fseek(text->stream,
         (long)(aspi_bytes_whole(head + COMMENT, 2) + aspi_bytes_whole(head + COMMENT + 2, 2)),
         SEEK_CUR);
@@ -47,6 +59,6 @@ static asp_code read_header(aspi_text *text, aspi_height_grid *h, asp_error *err
 asp_code aspi_read_sur(aspi_text *text, const aspi_profile_options *options, aspi_raw *raw,
                        asp_error *error) {
   aspi_height_grid h;
-  asp_code code = read_header(text, &h, error);
+  asp_code code = read_header(text, &h, raw, error);
   return code ? code : aspi_read_grid(text, &h, options, raw, error);
 }

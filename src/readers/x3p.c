@@ -18,9 +18,9 @@
 /* A file. Heights in main.xml are copied to `heights` as text. */
 typedef struct x3p {
   char at[200], text[300]; /* the path of the current element, and its text */
-  char data[200], valid[200], z_axis[8], z_type[8];
+  char data[200], valid[200], x_axis[8], z_axis[8], z_type[8];
   aspi_height_grid grid;
-  double offset;
+  double offset, layers;
   FILE *heights;
   bool in_xml;
 } x3p;
@@ -48,6 +48,8 @@ static void XMLCALL end_element(void *user, const char *name) {
               {"/CY/Increment", &x->grid.y_scale, NULL, 0},
               {"/CZ/Increment", &x->grid.z_scale, NULL, 0},
               {"/CZ/Offset", &x->offset, NULL, 0},
+              {"/SizeZ", &x->layers, NULL, 0},
+              {"/CX/AxisType", NULL, x->x_axis, sizeof x->x_axis},
               {"/CZ/AxisType", NULL, x->z_axis, sizeof x->z_axis},
               {"/CZ/DataType", NULL, x->z_type, sizeof x->z_type},
               {"/SizeX", &x->grid.points, NULL, 0},
@@ -61,7 +63,7 @@ static void XMLCALL end_element(void *user, const char *name) {
     size_t length = strlen(keys[i].at);
     if (end < length || strcmp(x->at + end - length, keys[i].at) != 0)
       continue;
-    if (keys[i].number)
+    if (keys[i].number && *text) /* nothing: the default */
       aspi_text_number(text, false, keys[i].number);
     else
       snprintf(keys[i].word, keys[i].size, "%s", text);
@@ -69,6 +71,8 @@ static void XMLCALL end_element(void *user, const char *name) {
   if (strcmp(name, "Datum") == 0) { /* x;y;z or z, or nothing where it is missing */
     const char *z = strrchr(text, ';');
     z = z ? z + 1 : text;
+    if (*x->x_axis == 'A')
+      fprintf(x->heights, "%.*s;", (int)strcspn(text, ";"), text);
     fprintf(x->heights, "%s\n", *z ? z : "nan");
     x->in_xml = true;
   }
@@ -76,13 +80,15 @@ static void XMLCALL end_element(void *user, const char *name) {
   *x->text = '\0';
 }
 
-/* A file of the archive whose name ends so; NULL: there is none. */
+/* A file of the archive with this name, in any folder but that of macOS; NULL: there is none. */
 static zip_file_t *find(zip_t *archive, const char *name) {
   name += strncmp(name, "./", 2) == 0 ? 2 : 0;
   for (zip_int64_t i = 0; i < zip_get_num_entries(archive, 0); i++) {
     const char *own = zip_get_name(archive, (zip_uint64_t)i, 0);
     size_t length = own ? strlen(own) : 0, end = strlen(name);
-    if (end > 0 && length >= end && strcmp(own + length - end, name) == 0)
+    bool whole = length == end || (length > end && own[length - end - 1] == '/');
+    if (end > 0 && whole && strcmp(own + length - end, name) == 0 &&
+        strncmp(own, "__MACOSX/", 9) != 0)
       return zip_fopen_index(archive, (zip_uint64_t)i, 0);
   }
   return NULL;
@@ -137,9 +143,19 @@ static asp_code read_data(x3p *x, zip_t *archive, const char *path,
   x->grid.type = x->in_xml ? -1 : numbers[type - types];
   if (*x->z_axis == 'A') /* absolute: the numbers are heights */
     x->grid.z_scale = 1;
+  if (x->layers > 1)
+    snprintf(raw->note, sizeof raw->note, "of its %g layers the first is read", x->layers);
+  if (*x->x_axis == 'A' && (raw->is_map || !x->in_xml))
+    return aspi_file_fail(
+        path, 0, error,
+        "an X3P with a list of positions (AxisType A) in binary or of a map; save "
+        "it as x and z in columns");
   rewind(x->heights);
   aspi_text text = aspi_text_create(x->heights, path);
-  asp_code code = aspi_read_grid(&text, &x->grid, options, raw, error);
+  aspi_profile_options in_meters = *options;
+  in_meters.unit_x = in_meters.unit_z = 1;
+  asp_code code = *x->x_axis == 'A' ? aspi_read_columns(&text, &in_meters, raw, error)
+                                    : aspi_read_grid(&text, &x->grid, options, raw, error);
   aspi_text_close(&text);
   for (size_t i = 0; i < raw->points && !code; i++)
     raw->z[i] += x->offset;

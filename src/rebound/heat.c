@@ -41,8 +41,10 @@ static double vft(const aspi_curve *curve, double kelvin) {
   return LN_10 * (p[A] + p[B] / (kelvin - p[C])) + log(curve->unit);
 }
 
-static double vft_least(const double *p) {
-  return p[C];
+static asp_code vft_begin(aspi_curve *curve, asp_error *error) {
+  (void)error;
+  curve->least = curve->parameters[C];
+  return ASP_OK;
 }
 
 enum { SIO2, AL2O3, FE2O3, CAO, MGO, N_WATT };
@@ -58,33 +60,22 @@ static double sum_of(const double *p) {
   return p[SIO2] + p[AL2O3] + p[FE2O3] + p[CAO] + p[MGO];
 }
 
-/* m of the opening comment */
-static double watt_slope(const double *p) {
-  return 100 / sum_of(p) * (0.00835 * p[SIO2] + 0.00601 * p[AL2O3]) - 0.109;
-}
-
 static double watt(const aspi_curve *curve, double kelvin) {
   const double *p = curve->parameters, share = 100 / sum_of(p), off = kelvin - 423.15;
+  double m = share * (0.00835 * p[SIO2] + 0.00601 * p[AL2O3]) - 0.109;
   double c = share * (0.0415 * p[SIO2] + 0.0192 * p[AL2O3] + 0.0276 * p[FE2O3] + 0.016 * p[CAO]);
-  return LN_10 * (watt_slope(p) * 1e7 / (off * off) + c - 3.92 - 1) + log(curve->unit);
+  return LN_10 * (m * 1e7 / (off * off) + c - 3.92 - 1) + log(curve->unit);
 }
 
-static double watt_least(const double *p) {
-  (void)p;
-  return 423.15;
-}
-
-static asp_code watt_check(const double *p, asp_error *error) {
-  if (!(fabs(sum_of(p) - 100) <= SHARES_OFF))
-    return aspi_fail(error, ASP_EARG,
-                     "SIO2 AL2O3 FE2O3 CAO MGO of 'watt' are %g %% in all; they must be 100 to "
-                     "within %g: leave out the other oxides, and make these five 100",
-                     sum_of(p), SHARES_OFF);
-  return watt_slope(p) > 0 ? ASP_OK
-                           : aspi_fail(error, ASP_EARG,
-                                       "with SIO2 %g and AL2O3 %g the viscosity of 'watt' does not "
-                                       "fall with the temperature; they must be more",
-                                       p[SIO2], p[AL2O3]);
+static asp_code watt_begin(aspi_curve *curve, asp_error *error) {
+  const double sum = sum_of(curve->parameters);
+  curve->least = 423.15;
+  return fabs(sum - 100) <= SHARES_OFF
+             ? ASP_OK
+             : aspi_fail(error, ASP_EARG,
+                         "SIO2 AL2O3 FE2O3 CAO MGO of 'watt' are %g %% in all; they must be 100 to "
+                         "within %g: leave out the other oxides, and make these five 100",
+                         sum, SHARES_OFF);
 }
 
 enum { E0, K, N_EXP };
@@ -107,15 +98,15 @@ static double in_table(const aspi_curve *curve, double kelvin) {
 
 const aspi_curve_form aspi_curve_forms[] = {
     {"vft", "viscosity", "log10 of the viscosity in Pa s is A + B/(T - C)",
-     "Vogel, Fulcher and Tammann, recalled", N_VFT, vft_parameters, vft, vft_least, NULL},
+     "Vogel, Fulcher and Tammann, recalled", N_VFT, vft_parameters, vft, vft_begin},
     {"watt", "viscosity", "by the oxides of coal ash",
      "Watt & Fereday 1969, as code_saturne has it (its code was seen, the original was not)",
-     N_WATT, watt_parameters, watt, watt_least, watt_check},
+     N_WATT, watt_parameters, watt, watt_begin},
     {"exp", "soften_modulus", "E0 exp(-K T)",
      "El-Batsh, as one open code has it, with 3e20 and 0.02365", N_EXP, exp_parameters, exponential,
-     NULL, NULL},
+     NULL},
     {"table", "viscosity soften_modulus", "as measured, in a file",
-     "temperature_k with viscosity_pa_s or youngs_modulus_pa", 0, NULL, in_table, NULL, NULL},
+     "temperature_k with viscosity_pa_s or youngs_modulus_pa", 0, NULL, in_table, NULL},
     {.name = NULL},
 };
 
@@ -160,14 +151,15 @@ asp_code aspi_curve_read(aspi_curve *c, const char *column, asp_error *error) {
 static asp_code check_curve(const aspi_curve *c, const char *of, double kelvin, asp_error *error) {
   if (!c->form)
     return ASP_OK;
-  const double *t = c->kelvin, last = c->n_points ? t[c->n_points - 1] : INFINITY;
-  const double least = c->n_points ? t[0] : c->form->least ? c->form->least(c->parameters) : 0;
-  if (kelvin <= last && (c->n_points ? kelvin >= least : kelvin > least))
+  const bool is_table = c->n_points > 0;
+  const double least = is_table ? c->kelvin[0] : c->least,
+               most = is_table ? c->kelvin[c->n_points - 1] : INFINITY;
+  if (kelvin <= most && (is_table ? kelvin >= least : kelvin > least))
     return ASP_OK;
   return aspi_fail(error, ASP_ERANGE,
-                   c->n_points ? "%s is asked for at %g K; its %s is from %g to %g K"
-                               : "%s is asked for at %g K; its form '%s' is for more than %g K",
-                   of, kelvin, c->form->name, least, last);
+                   is_table ? "%s is asked for at %g K; its %s is from %g to %g K"
+                            : "%s is asked for at %g K; its form '%s' is for more than %g K",
+                   of, kelvin, c->form->name, least, most);
 }
 
 asp_code aspi_heat_check(const aspi_heat *heat, double kelvin, asp_error *error) {

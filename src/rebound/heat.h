@@ -10,11 +10,12 @@
 
 enum { ASPI_CURVE_PARAMETERS = 5, ASPI_CURVE_POINTS = 64 };
 
-/* A property over the temperature, of a form and with its numbers. */
+/* A property over the temperature (K): a form with its numbers. */
 typedef struct aspi_curve {
   const struct aspi_curve_form *form; /* NULL: none */
   double parameters[ASPI_CURVE_PARAMETERS];
   double unit;     /* the caller's per SI unit, where the form is in SI */
+  double least;    /* it holds above */
   char *file;      /* of a table; the description's */
   size_t n_points; /* the same, rising */
   double kelvin[ASPI_CURVE_POINTS], log_value[ASPI_CURVE_POINTS];
@@ -26,9 +27,9 @@ typedef struct aspi_curve_form {
   const char *summary, *source;
   int n_parameters; /* 0: a table */
   const aspi_keyword *parameters;
-  double (*log_value)(const aspi_curve *curve, double kelvin); /* natural; in the form's units */
-  double (*least)(const double *parameters); /* it holds above this temperature; NULL: at all */
-  asp_code (*check)(const double *parameters, asp_error *error); /* NULL: all are right */
+  double (*log_value)(const aspi_curve *curve, double kelvin); /* natural, in the caller's units */
+  asp_code (*begin)(aspi_curve *curve,
+                    asp_error *error); /* with its numbers; NULL: all are right */
 } aspi_curve_form;
 
 /* The forms; the last one has no name. */

@@ -41,12 +41,13 @@ void aspi_impact_eccentric(const asp_wall *wall, bool rough, const asp_particle 
     }
     sum.hits += impact->hits;
     sum.eroded += impact->eroded;
+    sum.capped |= impact->capped;
     v = load(impact->v2);
     memcpy(own.omega, impact->omega, sizeof own.omega);
   } while (impact->outcome != ASP_DEPOSIT && own.body && !clearly_leaves(v, n));
   impact->delta_alpha = sum.delta_alpha;
   impact->tilt_out = sum.tilt_out;
-  impact->capped |= !own.body;
+  impact->capped = sum.capped || !own.body;
   impact->hits = sum.hits;
   impact->eroded = sum.eroded;
 }

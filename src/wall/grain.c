@@ -29,7 +29,9 @@ const asp_wall *aspi_wall_met(const asp_wall *wall, const asp_particle *particle
     return wall;
   if (aspi_heat_check(wall->heat, kelvin, NULL))
     return NULL;
-  if (!(aspi_stream_apart(key) < aspi_heat_share(wall->heat, kelvin)))
+  aspi_stream stream = aspi_stream_begin(key);
+  stream.counter[3] = UINT32_MAX; /* the last block, to which no other draw comes */
+  if (!(aspi_stream_uniform(&stream) < aspi_heat_share(wall->heat, kelvin)))
     return wall;
   *held = *wall;
   held->law = &aspi_rebound_constant; /* of coefficients that are 0 */

@@ -9,16 +9,9 @@
 static bool sticks(const asp_wall *wall, const asp_particle *particle, double density,
                    const double speed[3], aspi_stream *stream, aspi_bounce *bounce) {
   bool holding = wall->deposit;
-  aspi_hit hit = {.v_n1 = speed[0],
-                  .v_t1 = speed[1],
-                  .u_t1 = speed[2],
-                  .d_p = particle->d_p,
-                  .density = density,
-                  .pair = particle->pair,
-                  .adhesion = holding,
-                  .table = wall->table,
-                  .stream = stream,
-                  .temperature = aspi_heat_of(wall->heat, particle->temperature)};
+  const double kelvin = aspi_heat_of(wall->heat, particle->temperature);
+  aspi_hit hit = {speed[0],       speed[1], speed[2],    particle->d_p, density,
+                  particle->pair, holding,  wall->table, stream,        kelvin};
   *bounce = wall->law->rebound(wall->parameters, &hit);
   return holding && !(bounce->v_n2 > 0);
 }

@@ -135,7 +135,7 @@ refuses 2 "not expected behind an option" -- calibrate data --dp 5um surface sig
 refuses 2 "--noise is '1,2,3,4'" -- calibrate data surface sigma fit $ard --noise 1,2,3,4
 printf 'alpha1_deg,cor_n_mean\n30,0.5\n' > one
 refuses 2 "1 moments for 2 unknowns" -- calibrate one surface sigma fit friction fit $ard
-refuses 2 "no starting point fits the data" "fit=VALUE" -- calibrate data surface sigma fit yield_stress fit=1Pa $ard --speed 1e5 $quick
+refuses 2 "all particles stick to the model's wall" "fit=VALUE" -- calibrate data surface sigma fit yield_stress fit=1Pa $ard --speed 1e5 $quick
 refuses 2 "no.csv" -- calibrate no.csv surface sigma fit $ard
 cp data kept; ln -s data link
 for output in data ./link; do refuses 2 "is '$output', which is read" -- calibrate data surface sigma fit $ard -o $output; done

@@ -27,6 +27,14 @@ rows sums | awk -F, '$2 != "all" { n++; if ($1 != 1 + $2 % 2 || $3 != 3 || ($4 -
 refuses 2 "option '--plot' is unknown" -- erosion many --plot sums.svg
 [ "$("$asperity" erosion - < many | grep all)" = "$(grep all sums)" ] || die "a ledger in a pipe"
 
+# Densities that nobody states are those of the heading's materials; the output names the law, and no surface.
+"$asperity" cor surface sigma 5 rebound bons materials quartz steel deposit off --dp 20um --angles 30 --samples 20 --columns ledger -o of_steel
+"$asperity" erosion of_steel erosion oka 1.8GPa -o worn
+"$asperity" erosion of_steel erosion oka 1.8GPa materials quartz steel | tail -n 1 | cmp - <(tail -n 1 worn) || die "the heading's materials: $(cat worn)"
+grep -q '^# .*; erosion oka [^;]*$' worn && ! grep -q surface worn || die "heading of erosion: $(head -n 1 worn)"
+sed '1s/ materials quartz steel//g' of_steel > of_what
+refuses 2 "needs the density of the wall" -- erosion of_what erosion oka 1.8GPa --density 2650
+
 # A column that compare does not read may hold anything.
 sed 's/^tag,/mass,/; s/^[0-9]*,/light,/' ledger > light
 "$asperity" compare light | rows /dev/stdin | cmp - <("$asperity" compare ledger | rows /dev/stdin) || die "compare reads the mass"

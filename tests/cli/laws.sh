@@ -58,7 +58,7 @@ grep -q "warning: cor_t: 1 of 2 bins" err || die "compare: empty bins: $(cat err
 # what goes wrong
 printf '\xef\xbb\xbfalpha1_deg\tcor_n\r\n30\t0,5\r\n' > bom.csv; "$asperity" compare gt.csv bom.csv > s || die "compare: byte-order mark"
 refuses 2 "no.csv" -- compare gt.csv no.csv
-printf 'alpha1_deg,restitution\n30,0.5\n' > bad.csv; refuses 2 "neither impacts nor means" -- compare gt.csv bad.csv
+printf 'alpha1_deg,bounce\n30,0.5\n' > bad.csv; refuses 2 "neither impacts nor means" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both impacts and means" -- compare gt.csv bad.csv
 bad() { printf '%b' "$1" > bad.csv; shift; refuses 2 bad.csv "$@" -- compare gt.csv bad.csv; }
 bad 'alpha1_deg,cor_n [%]\n30,50\n' "'cor_n [%]'" "a number such as 0.5"

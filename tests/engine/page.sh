@@ -51,6 +51,33 @@ awk -v kind=$kind '/^```/ { if (text ~ "atom_style +" kind) printf "%s", text; t
 if grep WARNING readme.screen; then die "the script of README.md warns"; fi
 grep -qE '^ +600 +2795 +2800 +60 *$' readme.screen || die "the script of README.md has other impacts"
 
+# The lines of air on the page of pipe_flow bring grains of 10 and 20 um to the speeds of closed forms, to the error of the
+# step (the first block has the drag of 10 um for both): U (1 - exp(-t/tau)) with U 20 m/s, and in the second block 20 and 15 m/s.
+for block in viscous variable; do
+  awk -v block=$block '/^```/ { if (text ~ "fix gas" && (text ~ "fix drag") == (block == "viscous")) printf "%s", text; text = ""; next } { text = text $0 "\n" }' \
+    "$here/../../examples/pipe_flow/README.md" > air
+  [ "$(wc -l < air)" -ge 2 ] || die "no lines of air: $block"
+  { head_of si
+    echo "atom_modify sort 0 0
+region box block -0.05 0.05 -0.012 0.012 -0.012 0.012 units box
+create_box 1 box
+neighbor 4e-4 bin
+create_atoms 1 single 0 0 0 units box
+create_atoms 1 single 0 0.005 0 units box
+set group all diameter 10e-6
+set atom 2 diameter 20e-6
+set group all density 2650
+fix move all nve/sphere"
+    cat air
+    echo "timestep 4e-6
+dump now all custom 250 now.txt id vx
+run 250"; } > air.in
+  engine 1 air.in
+  awk -v block=$block 'NF == 2 && $1 ~ /^[12]$/ { v[$1] = $2 } END { for (i = 1; i <= 2; i++) { tau = 2650 * (i * 10e-6) ^ 2 / (18 * 1.8e-5)
+    if (block == "viscous") tau = 8.179e-4 * i ^ 3
+    want = (i == 2 && block != "viscous" ? 15 : 20) * (1 - exp(-1e-3 / tau)); if ((v[i] / want - 1) ^ 2 > 4e-5) { print i, v[i], want; bad = 1 } } exit bad }' now.txt || die "the air of the page: $block"
+done
+
 # So does the script of the page of clumps: its text block with "atom_style KIND", beside the molecule's file.
 page_of_clumps=$here/../../src/wall/bodies.md
 awk '/^```/ { if (text ~ "Diameters") printf "%s", text; text = ""; next } { text = text $0 "\n" }' "$page_of_clumps" > dumbbell.mol

@@ -72,6 +72,15 @@ for types in 1 3; do
     "$([ $simulator = lammps ] || echo ", or add a line such as 'fix youngsModulus all property/global youngsModulus peratomtype $values'")"
 done
 
+# The speed below which grains stick, in the log: by the wall's law, and by the other one with adhesion.
+for law in bons thornton_ning; do
+  one 2 "$(materials)" "rebound $law" > $law.in
+  engine 1 $law.in
+  grep -oE 'sticks below [^ ]+|\(by [a-z_]+ below [^ ]+' $law.in.screen | awk '{ print $NF }' | paste -sd' ' > $law.speeds
+done
+[ "$(awk '{ print $2, $1 }' bons.speeds)" = "$(cat thornton_ning.speeds)" ] && awk '{ exit !(NF == 2 && $1 > 0 && $2 > 0 && $1 != $2) }' bons.speeds ||
+  die "speeds of sticking: bons $(cat bons.speeds), thornton_ning $(cat thornton_ning.speeds)"
+
 # The speed above which grains yield, in the log: sigma_y/sqrt(rho E_c), 1/E_c = (1 - nu_p^2)/E_p + (1 - nu_w^2)/E_w; and
 # a warning where a soft modulus keeps them from yielding.
 while IFS='|' read -r name young poisson yield words at warnings; do

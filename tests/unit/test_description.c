@@ -345,7 +345,6 @@ static void heat_is_refused(void **state) {
   refuses("deposit freeze viscosity critical 1e4 vft -4 5000 300 watt 60 20 8 8 4",
           "'vft' and 'watt'", "one");
   refuses("deposit freeze viscosity critical 1e4 watt 50 20 5 5 5", "are 85 %", "100");
-  refuses("deposit freeze viscosity critical 1e4 watt 5 5 40 40 10", "SIO2 5 and AL2O3 5", "more");
   refuses("deposit freeze viscosity critical 1e4 watt 60 20 8 8 -4", "mgo is -4", "0 to 100");
   refuses("rebound bons temperature 300 deposit freeze viscosity critical 1e4 vft -4 5000 300",
           "the viscosity is asked for at 300 K", "more than 300 K");

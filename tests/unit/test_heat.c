@@ -62,10 +62,12 @@ static void shares_by_hand(void **state) {
 
 enum { IMPACTS = 8000 };
 
-/* Impacts at a temperature: how many stick. Those that rebound do so as on `cold`. */
+/* Impacts at a temperature: how many stick. Those that rebound do so as on `cold`, and those that
+ * stick hit the same faces. */
 static int count_stuck(const asp_wall *wall, const asp_wall *cold, double kelvin, double angle,
                        const asp_body *body) {
   const double v[3] = {20 * cos(angle), 0, -20 * sin(angle)};
+  double tilt[2] = {0, 0}, square = 0;
   int stuck = 0;
   for (uint64_t i = 0; i < IMPACTS; i++) {
     asp_particle one = {.d_p = 1e-5, .density = 2650, .temperature = kelvin, .body = body};
@@ -79,7 +81,13 @@ static int count_stuck(const asp_wall *wall, const asp_wall *cold, double kelvin
     else
       assert_memory_equal(impact.v2, other.v2, sizeof other.v2);
     assert_near(impact.delta_alpha, other.delta_alpha, 0);
+    tilt[impact.outcome == ASP_DEPOSIT] += impact.delta_alpha;
+    square += impact.delta_alpha * impact.delta_alpha;
   }
+  const int free = IMPACTS - stuck;
+  if (stuck > 0 && free > 0)
+    assert_near(tilt[1] / stuck, tilt[0] / free,
+                4 * sqrt(square / IMPACTS * (1. / stuck + 1. / free)));
   return stuck;
 }
 

@@ -508,23 +508,23 @@ static void properties(void **state) {
 /* What would be divided by no more than rounding is not there: along the wall, where the last bits
  * of a product of vectors may send a particle into it or off it, and along the normal. */
 static void no_coefficient_by_rounding(void **state) {
-  static const double parts[] = {0, 4e-18, -4e-18, 1e-13, 1e-11};
+  static const double parts[] = {0, 4e-18, -4e-18, 1e-7, 1e-5};
   const double n[3] = {0, 0, 1};
   for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
     double part = parts[i], along[3] = {1, 0, -part}, down[3] = {fabs(part), 0, -1};
-    bool there = part > 1e-12;
+    bool there = part > 1e-6;
     const asp_impact impact = {.v2 = {0.6, 0.3, 0.2}, .outcome = ASP_REBOUND, .hits = 1};
     asp_coefficients slides = asp_impact_coefficients(along, n, &impact),
                      falls = asp_impact_coefficients(down, n, &impact);
     assert_int_equal(isfinite(slides.cor_n), there);
     assert_int_equal(isfinite(slides.cor_alpha) && isfinite(slides.cor_alpha_space), there);
     assert_int_equal(isfinite(falls.cor_t), there);
-    assert_near(slides.cor_t, 0.6, 1e-12);
-    assert_near(slides.cor_v_space, 0.7, 1e-12);
-    assert_near(falls.cor_n, 0.2, 1e-12);
-    assert_near(falls.cor_v_space, 0.7, 1e-12);
+    assert_near(slides.cor_t, 0.6, 1e-9);
+    assert_near(slides.cor_v_space, 0.7, 1e-9);
+    assert_near(falls.cor_n, 0.2, 1e-9);
+    assert_near(falls.cor_v_space, 0.7, 1e-9);
     if (there)
-      assert_near(slides.cor_n / (0.2 / part), 1, 1e-12);
+      assert_near(slides.cor_n / (0.2 / part), 1, 1e-9);
   }
   const asp_impact none = {.v2 = {0, 0, 0}};
   asp_coefficients still = asp_impact_coefficients((const double[3]){0, 0, 0}, n, &none);

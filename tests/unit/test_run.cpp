@@ -228,6 +228,24 @@ void commands_free_bodies_that_they_move(void **) {
   }
 }
 
+/* What rests on a floor and sticks to a wall does not show as resting any more. */
+void what_sticks_rests_nowhere(void **) {
+  const Alone engine;
+  std::unique_ptr<Wall> floor =
+      make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), DULL);
+  std::unique_ptr<Wall> side =
+      make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(0, 0.55, STILL)), STICKY);
+  Grains grains(1, 0.5, 0.01);
+  grains.put(0, {0, 0, 0.5}, {1, 0, 0});
+  grains.f[2] = -10;
+  grains.begin({floor.get(), side.get()});
+  grains.fly(3);
+  assert_true(floor->stepper.rows.status(0) == Status::RESTING);
+  grains.fly(20);
+  assert_true(side->stepper.rows.is_stuck(0));
+  assert_true(floor->stepper.rows.status(0) == Status::FREE);
+}
+
 /* A grain that a command has put deep into a wall is put onto it, and counted. */
 void overlaps_at_rest_are_guarded(void **) {
   GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), DULL, 1, 0.5, 0.01);
@@ -319,6 +337,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(commands_free_what_they_move),
       cmocka_unit_test(walls_turn_no_body_that_they_do_not_touch),
       cmocka_unit_test(commands_free_bodies_that_they_move),
+      cmocka_unit_test(what_sticks_rests_nowhere),
       cmocka_unit_test(overlaps_at_rest_are_guarded),
       cmocka_unit_test(removed_deposits_are_free),
       cmocka_unit_test(blown_up_velocities_are_told),

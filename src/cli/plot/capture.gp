@@ -5,6 +5,8 @@ here = ''; do for [i=1:strlen(ARG0)] { if (ARG0[i:i] eq '/') { here = ARG0[1:i] 
 array given[5] = [ARG1, ARG2, ARG3, ARG4, ARG5]
 width = 800; height = 600
 load here.'picture.gp'
+stats table using (column('alpha1_deg')) nooutput
+set label 1 sprintf(STATS_min < 90 ? 'impact angle %g°' : 'normal impact, %g°', STATS_min) at graph 0.5,1 center offset 0,0.7
 stats table using (column('v1_m_s')) nooutput
 rows = int(STATS_records); first = STATS_min
 stats table using (column('v1_m_s') == first ? 1 : NaN) nooutput
@@ -17,6 +19,8 @@ size_at(i, k) = (i + k >= 1 && i + k <= rows && size[i + k] * k > size[i] * k) ?
 speed_at(i, k) = (i + k * sizes >= 1 && i + k * sizes <= rows) ? speed[i + k * sizes] : NaN
 to(a, b, c) = is(b) ? sqrt(a * b) : is(c) ? a * sqrt(a / c) : NaN
 wide = 1.1
+# Cells reach under the next ones, so that no seams show.
+OVER = 1.05
 other(v, a, k) = is(v) ? v : a * wide ** k
 size_edge(i, k) = other(to(size[i], size_at(i, k), size_at(i, -k)), size[i], k)
 speed_edge(i, k) = other(to(speed[i], speed_at(i, k), speed_at(i, -k)), speed[i], k)
@@ -30,6 +34,6 @@ set palette defined (0 '#fcfdbf', 0.3 '#fb8861', 0.65 '#b63679', 1 '#3b0f70')
 set cbrange [0:1]; set cblabel 'share that sticks'
 set xlabel 'diameter d_p / µm'; set ylabel 'impact speed v_1 / (m/s)'
 i = 0
-plot table using (i = i + 1, size[i]):(speed[i]):(size_edge(i, -1)):(size_edge(i, 1) * 1.01):(speed_edge(i, -1)): \
-  (speed_edge(i, 1) * 1.01):(column('capture_share')) with boxxyerror fs solid noborder lc palette notitle
+plot table using (i = i + 1, size[i]):(speed[i]):(size_edge(i, -1)):(size_edge(i, 1) * OVER):(speed_edge(i, -1)): \
+  (speed_edge(i, 1) * OVER):(column('capture_share')) with boxxyerror fs solid noborder lc palette notitle
 unset multiplot

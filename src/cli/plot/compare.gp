@@ -30,7 +30,8 @@ do for [t=0:1] {
   stats table using (with_ends(mean(t), sd(t))) nooutput
   @set_axis
   seen = count
-  stats table using (check(data_mean(t)), check(mean(t))) nooutput
+  stats table using (check_bar(data_mean(t) - data_sd(t), data_mean(t) + data_sd(t)), \
+    check_bar(mean(t) - sd(t), mean(t) + sd(t))) nooutput
   @set_label
   @panel
   set xrange [first:end]

@@ -28,7 +28,7 @@ set cbtics
 dot(d) = (0.25 + 0.75 * d / largest) * (seen > 300 ? max(0.35, sqrt(300. / seen)) : 1)
 if (all > 0) { set label 1 sprintf('orange: deposits, larger dots for larger grains; %.0f of %.0f in sight', seen, all) at screen 0.5, screen 22. / height center }
 # x, y and z, then the length.
-px = 1. / width; py = 1. / height; cx = 60 * px; cy = 90 * py
+px = 1. / width; py = 1. / height; cx = 1 - 70 * px; cy = 130 * py
 do for [k=1:3] {
   set arrow k from screen cx, cy to screen cx + 34 * px * right[k], cy + 34 * py * up[k] size screen 0.006, 20 lc rgb '#444444' front
   if (right[k] ** 2 + up[k] ** 2 > 0.1) { set label 1 + k name[k] at screen cx + 46 * px * right[k], cy + 46 * py * up[k] center front }

@@ -53,6 +53,7 @@ take(v) = is(v) ? (seen = seen + 1, least = seen > 1 ? min(least, v) : v, most =
 # Sets the vertical axis of a coefficient from them, and counts the values beyond it: stats ... using (check(VALUE)).
 set_axis = "r = coefficient(t, least, most); y = low(r); y_to = high(r); set yrange [y:y_to]; set ylabel cor(t); beyond = 0"
 check(v) = (beyond = beyond + (v < y || v > y_to), 1)
+check_bar(from, to) = (beyond = beyond + (from < y || to > y_to), 1)
 set_label = "set label 1 outside(beyond, seen) at graph 1,1 right offset 0,0.7 font ',9'"
 # How many of the impacts stick: above the first panel, or alone in the picture, where there is nothing else to draw.
 stuck = 0

@@ -39,7 +39,8 @@ do for [turn=1:3] {
   half = min(max(half, 0.55 * shape * (most - least)), x_end / 2)
 }
 y_mid = (least + most) / 2
-set label 1 sprintf('where a particle of %.3g µm bridges the most, to scale', d) @above
+set label 1 sprintf(deepest > 0.01 * d ? 'where a particle of %.3g µm bridges the most, to scale' : \
+  'a particle of %.3g µm touches the profile, to scale: it bridges nothing', d) @above
 set xlabel 'x / µm'; set xrange [x_mid - half:x_mid + half]
 set yrange [y_mid - half / shape:y_mid + half / shape]
 set object 1 circle at x_deep,c_deep size d / 2 front lw 2 fs empty border rgb '#009e73'

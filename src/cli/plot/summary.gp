@@ -22,6 +22,7 @@ part_of(g, k) = k == 1 ? g[1:strstrt(g, ',') - 1] : g[strstrt(g, ',') + 1:*]
 text(g) = (strlen(part_of(g, 1)) ? part_of(g, 1).' µm ' : '').(strlen(part_of(g, 2)) ? part_of(g, 2).' m/s' : '')
 with_group(g, v) = group(strcol('dp_um'), strcol('v1_m_s')) eq g ? v : NaN
 name(t) = t ? 'cor_t' : 'cor_n'
+mean_of(t) = column(name(t).'_mean'); sd_of(t) = is(column(name(t).'_sd')) ? column(name(t).'_sd') : 0
 set xlabel label
 @set_stuck
 do for [t=0:1] {
@@ -30,7 +31,7 @@ do for [t=0:1] {
   if (seen == 0) { continue }
   @panel
   @set_axis
-  stats table using (check(column(name(t).'_mean'))) nooutput
+  stats table using (check_bar(mean_of(t) - sd_of(t), mean_of(t) + sd_of(t))) nooutput
   @set_label
   set ylabel cor(t).', mean ± sd'; set xrange [from:to]
   plot for [i=1:words(groups)] table using (column(over)):(with_group(word(groups, i), column(name(t).'_mean'))):(column(name(t).'_sd')) \

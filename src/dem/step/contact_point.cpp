@@ -49,7 +49,7 @@ asp_particle ContactPoint::particle(double lay[3]) {
   particle.d_p = 2 * one.radius;
   particle.density = mover.mass / ASP_SPHERE_VOLUME(particle.d_p);
   particle.pair = setup.model.pair(one.type, member.wall_type);
-  if (setup.temperatures.first) {
+  if (setup.temperatures) {
     asp_error wrong = {ASP_OK, "it must be more than 0", {}};
     const double own = particle.temperature = setup.temperature(mover.i);
     if (!(own > 0) || asp_wall_sticking(law(), own, NULL, &wrong))

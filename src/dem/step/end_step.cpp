@@ -293,11 +293,14 @@ static void balance(Stepper &wall, const Movers &movers, int i) {
  */
 
 /* A mover that rests at these walls. */
-static void end_one(const std::vector<Hold> &by, const Movers &movers, int i, Resting &resting) {
+static void end_one(const Walls &walls, const std::vector<Hold> &by, const Movers &movers, int i,
+                    Resting &resting) {
   const Mover mover(movers, i);
   AtEnd now(mover, movers);
-  if (resting.hold(by, now))
+  if (resting.hold(by, now)) {
+    leave_rests(walls, mover);
     return;
+  }
   movers.write(mover, now.v, now.spin);
   movers.push(mover, resting.push, resting.twist);
 }
@@ -346,7 +349,7 @@ static void end_movers(const Walls &walls, const Movers &movers) {
         balance(*wall, movers, i);
   }
   for_resting(walls, movers,
-              [&](const std::vector<Hold> &by, int i) { end_one(by, movers, i, resting); });
+              [&](const std::vector<Hold> &by, int i) { end_one(walls, by, movers, i, resting); });
 }
 
 /* What the walls at which a mover rests add to it until the middle of the next step. */

@@ -163,6 +163,8 @@ private:
  * left of the step. */
 void freeze(const Touch &touch, const Mover &mover, const Movers &movers, const double x[3],
             const double v[3], const double spin[3], double left);
+/* It rests at no other wall any more. */
+void leave_rests(const std::vector<Stepper *> &walls, const Mover &mover);
 
 /* end_step.cpp: notes the energy of the rebounds of a ball on its way, for the end of the step. */
 void note_energy(const Flight &flight);

@@ -388,6 +388,7 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
     aspi_add_scaled(v, 1, stuck.v_wall, v);
     freeze(stuck, mover, movers, flight.path.x, v, flight.impacts.back().result.omega,
            flight.path.left);
+    leave_rests(walls, mover);
     return;
   }
   if (flight.path.left > 0)

@@ -116,6 +116,15 @@ void asperity::freeze(const Touch &touch, const Mover &mover, const Movers &move
   carry(*touch.wall, movers, mover.i, left);
 }
 
+void asperity::leave_rests(const std::vector<Stepper *> &walls, const Mover &mover) {
+  for (Stepper *wall : walls) {
+    if (mover.at(*wall).status() != Status::RESTING)
+      continue;
+    mover.at(*wall).set_status(Status::FREE);
+    mover.members(*wall).any_left = true;
+  }
+}
+
 void Stepper::free_displaced(const Movers &movers, double moved) {
   Population &of = movers.members(*this);
   int mine = 0, all;
