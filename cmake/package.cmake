@@ -61,7 +61,7 @@ asperity_package(python3-asperity python "${_own}, python3, python3-numpy" "" "T
 impacts in NumPy arrays, and reads ledgers.")
 asperity_package(asperity-liggghts science "${_own}" "openmpi-bin" "The program liggghts-asperity is LIGGGHTS with \
 the fix wall/rebound.")
-asperity_package(asperity-openfoam science "${_own}" "openfoam" "The library libasperityWall.so is a patch interaction \
+asperity_package(asperity-openfoam science "${_own}, openfoam" "" "The library libasperityWall.so is a patch interaction \
 model for clouds\nof OpenFOAM.")
 
 # Byte code that Python makes after the installation must go with it.
@@ -72,7 +72,9 @@ set(CPACK_DEBIAN_PYTHON3-ASPERITY_PACKAGE_CONTROL_EXTRA ${_scripts}/postinst ${_
 set(CPACK_DEBIAN_PYTHON3-ASPERITY_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # A library in the linker's folder: who installs it has the linker's cache made anew.
 file(WRITE ${CMAKE_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_ASPERITY_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/triggers)
+foreach(_package ASPERITY ASPERITY-OPENFOAM)
+  set(CPACK_DEBIAN_${_package}_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/triggers)
+endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "surface/instrument.h"
 #include "surface/rolling.h"
 #include "surface/describe.h"
 #include "surface/size_law.h"
@@ -112,8 +113,7 @@ static cli_measured read_file(const cli_call *call, const char *file, bool is_ma
   const aspi_profile_options how = read_options(call);
   cli_measured m = {.name = file};
   m.heights = cli_made(aspi_read(NULL, file, is_map, &how, &m.report, &cli_error));
-  if (asp_heights_describe(m.heights, &m.numbers, &cli_error) ||
-      aspi_heights_check(m.heights, &m.numbers, &cli_error))
+  if (aspi_heights_judge(m.heights, sizes->least, &m.numbers, &cli_error))
     cli_bad_usage("%s: %s", file, cli_error.text);
   aspi_extent extent = aspi_heights_extent(m.heights);
   if (sizes->least < extent.spacing)
@@ -181,6 +181,27 @@ static double tilt_of(const slopes_row *r, bool measured) {
   double kappa = kappa_of(r), of_numbers = sqrt(2) * r->r_q / r->lambda_c * aspi_closed_form(kappa);
   double disc = measured ? r->slopes.slope_rms : of_numbers;
   return aspi_degrees(atan(disc * aspi_sphere_over_disc(kappa)));
+}
+
+/* A slope of the profile further than this from sqrt(2) R_q/lambda_c is that of more than one wave.
+ */
+#define WAVES_APART 0.15
+
+/* Words of walls by numbers that particles of each size meet with the slope of the profile. */
+static void print_words(FILE *out, const slopes_row *rows, size_t count,
+                        const asp_heights_numbers *n) {
+  double ratio = n->s_dq / (sqrt(2) * n->s_q / n->lambda_1);
+  if (fabs(ratio - 1) > WAVES_APART)
+    fprintf(out,
+            "# the rms slope is %.3g times sqrt(2) R_q/lambda_c: the wall has more than one wave, "
+            "and no numbers alone will do for all sizes\n",
+            ratio);
+  for (const slopes_row *r = rows; r < rows + count; r++) {
+    double rdq = aspi_r_dq_met(r->r_q, r->d_p, tan(aspi_radians(tilt_of(r, true))));
+    if (rdq > 0)
+      fprintf(out, "# for particles of %.6g um by numbers: surface rq %.4gum rdq %.4g\n",
+              r->d_p * 1e6, r->r_q * 1e6, rdq);
+  }
 }
 
 static void print_rows(FILE *out, const slopes_row *rows, size_t count, bool measured) {
@@ -311,8 +332,10 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
     measure(&wall, sizes, rows + k * sizes->count);
   }
   FILE *out = cli_output_open(call, "output", many ? NULL : first->text);
-  if (measured)
+  if (measured) {
     print_measured(out, m);
+    print_words(out, rows, count, &m->numbers);
+  }
   if (many)
     fprintf(out, "# generated: %s points a wall, lambda_c/%g apart\n", cli_value(call, "points"),
             POINTS_PER_LAMBDA);

@@ -20,10 +20,10 @@ inline std::string library_mismatch(const std::string &what, const std::string &
 }
 
 /* The library allocated the object with its own idea of the class; ours must fit in, and not leave
- * more over than the allocator rounds up to. "": it does. */
-template <class T> std::string check_layout(const char *name, T *object) {
+ * more over than the allocator rounds up to, or than a derived class adds. "": it does. */
+template <class T> std::string check_layout(const char *name, T *object, bool is_derived = false) {
   const size_t room = malloc_usable_size(object);
-  if (sizeof(T) <= room && room < sizeof(T) + 32)
+  if (sizeof(T) <= room && (is_derived || room < sizeof(T) + 32))
     return "";
   return library_mismatch(std::string("the class ") + name, std::to_string(room) + " bytes",
                           std::to_string(sizeof(T)) + " bytes");

@@ -26,6 +26,11 @@ std::string setting(double value);
 /* The canonical text of a description. */
 std::string description_text(const asp_description *description);
 
+/* A style of the engine without the suffix of LAMMPS's package KOKKOS. */
+inline std::string without_suffix(const std::string &style) {
+  return style.substr(0, style.find("/kk"));
+}
+
 /* The unit style of that name; one that cannot be converted to others has no name and all 0. */
 asp_units units_of(const std::string &name);
 

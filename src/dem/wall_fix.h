@@ -168,8 +168,9 @@ public:
     const auto *modify = this->program_->modify;
     for (int i = 0; i < modify->nfix; i++) {
       const EngineFix *fix = modify->fix[i];
-      const std::string style = fix->style, wrong = body_error(fix);
-      const std::string name = "fix " + style + " (id " + fix->id + ")";
+      const std::string wrong = body_error(fix);
+      const std::string name = std::string("fix ") + fix->style + " (id " + fix->id + ")";
+      const std::string style = without_suffix(fix->style);
       const bool is_deform = style.compare(0, 6, "deform") == 0;
       if (!wrong.empty() && shares_particles(fix))
         fail(wrong);

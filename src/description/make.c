@@ -43,14 +43,15 @@ asp_code asp_description_set_heights(asp_description *d, const asp_heights *heig
 
 /* ---- surface ---- */
 
-static asp_surface *make_from_map(const asp_description *d, double *lambda, asp_error *error) {
+static asp_surface *make_from_map(const asp_description *d, double d_least, double *lambda,
+                                  asp_error *error) {
   bool has_lay = d->lay != ASP_LAY_NONE;
   asp_heights_numbers n;
-  if (asp_heights_describe(d->choice.heights, &n, error))
+  if (aspi_heights_judge(d->choice.heights, d_least, &n, error))
     return NULL;
   *lambda = n.lambda_2;
   if (has_lay || !(n.lambda_2 > STRETCH_MOST * n.lambda_1))
-    return aspi_surface_create_map(d->choice.heights, &n, has_lay, error);
+    return aspi_surface_create_map(&n, has_lay, error);
   aspi_fail(error, ASP_EARG,
             "the wall has a lay, lambda_c %.4g across and %.4g along it; say which way it lies: "
             "'lay X Y Z', axial, circumferential, or an angle",
@@ -73,7 +74,7 @@ static asp_surface *make_surface(const asp_description *d, const aspi_sizes *siz
     return aspi_description_surface(d, error);
   const asp_heights *h = d->choice.heights;
   asp_error wrong = {.code = ASP_OK};
-  asp_surface *made = h->rows > 1 ? make_from_map(d, &heights->lambda, &wrong)
+  asp_surface *made = h->rows > 1 ? make_from_map(d, sizes->least, &heights->lambda, &wrong)
                                   : make_from_profile(d, sizes, &heights->lambda, &wrong);
   heights->spacing = aspi_heights_extent(h).spacing;
   heights->length = aspi_heights_extent(h).length;

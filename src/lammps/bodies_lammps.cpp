@@ -107,7 +107,12 @@ std::string BodiesOfLammps::error_of(const Fix *fix) {
   const std::string style = fix->style;
   if (style == "rigid/small" || style == "rigid/nve/small")
     return "";
-  return "fix " + style + " (id " + fix->id + ") ties particles to bodies that cannot rebound; " +
+  const std::string plain = asperity::without_suffix(style);
+  const std::string name = "fix " + style + " (id " + fix->id + ")";
+  if (plain != style)
+    return name + " has its bodies in KOKKOS, where they cannot rebound; put 'suffix off' before "
+                  "and 'suffix on' after it";
+  return name + " ties particles to bodies that cannot rebound; " +
          (style == "rigid" || style == "rigid/nve"
               ? "it must be " + style + "/small"
               : "those of rigid/small and rigid/nve/small can");

@@ -11,6 +11,7 @@
 #include "error.h"
 #include "group.h"
 #include "input.h"
+#include "library.h"
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
@@ -102,8 +103,8 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
     const Atom *atom = program_->atom;
     check_particles(atom->ellipsoid_flag || atom->line_flag || atom->tri_flag || atom->body_flag,
                     "sphere");
-    if (program_->kokkos)
-      fail("the package KOKKOS is on, with which this fix was never tried; it must be off");
+    if (program_->kokkos && !lammps_config_accelerator("KOKKOS", "precision", "double"))
+      fail("the package KOKKOS was built with single or mixed precision; it must be double");
   }
   void begin_step() override;
   void follow_step(bigint last);
@@ -228,8 +229,7 @@ asperity::WallFix<EngineOfLammps> &FixWallRebound::wall_fix() {
 }
 
 int FixWallRebound::setmask() {
-  return INITIAL_INTEGRATE | POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR |
-         END_OF_STEP | POST_RUN;
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
 
 /* ---- a run ------------------------------------------------------------------------------------
@@ -251,6 +251,9 @@ void FixWallRebound::init() {
     if (p_->region)
       p_->region->init();
     p_->of_bodies.init();
+    p_->owes_bodies = !p_->of_bodies.stand_before(this);
+    int &stages = modify->fmask[modify->find_fix(id)];
+    stages = p_->owes_bodies ? stages | INITIAL_INTEGRATE : stages & ~INITIAL_INTEGRATE;
     if (p_->of_bodies.any())
       p_->wall.setup.check_bodies();
     p_->wall.init(update->ntimestep, update->dt);
@@ -282,12 +285,12 @@ void FixWallRebound::setup(int) {
   });
   p_->begin(true);
   p_->push_spheres();
-  p_->owes_bodies = !p_->of_bodies.stand_before(this);
   if (!p_->owes_bodies)
     p_->attempt([this] { p_->push_bodies(); });
 }
 
-/* Fixes of bodies behind this one have set up their forces later. */
+/* Fixes of bodies behind this one have set up their forces later. Otherwise init() leaves this
+ * stage out, since KOKKOS copies all arrays of particles for each stage of a fix. */
 void FixWallRebound::initial_integrate(int) {
   if (!p_->owes_bodies)
     return;

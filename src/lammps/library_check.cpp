@@ -31,12 +31,16 @@ std::string LAMMPS_NS::check_library(LAMMPS *lammps) {
   if (version != ASPERITY_LAMMPS_VERSION)
     return library_mismatch("the version of LAMMPS", std::to_string(version),
                             std::to_string(ASPERITY_LAMMPS_VERSION));
-  const std::string checks[] = {
-      check_integers("tagint", sizeof(tagint)),     check_integers("bigint", sizeof(bigint)),
-      check_integers("imageint", sizeof(imageint)), check_layout("LAMMPS", lammps),
-      check_layout("Atom", lammps->atom),           check_layout("Domain", lammps->domain),
-      check_layout("Error", lammps->error),         check_layout("Modify", lammps->modify),
-      check_layout("Update", lammps->update)};
+  const bool is_kokkos = lammps->kokkos; /* then some classes are derived ones */
+  const std::string checks[] = {check_integers("tagint", sizeof(tagint)),
+                                check_integers("bigint", sizeof(bigint)),
+                                check_integers("imageint", sizeof(imageint)),
+                                check_layout("LAMMPS", lammps),
+                                check_layout("Atom", lammps->atom, is_kokkos),
+                                check_layout("Domain", lammps->domain, is_kokkos),
+                                check_layout("Error", lammps->error),
+                                check_layout("Modify", lammps->modify, is_kokkos),
+                                check_layout("Update", lammps->update)};
   for (const std::string &wrong : checks)
     if (!wrong.empty())
       return wrong;

@@ -134,7 +134,7 @@ asperity::Twist RegionPart::twist_of(const Pose &at, const Pose &rate) const {
  * to the other. The end of the step shows what the next one is expected to have beyond that. */
 void RegionPart::advance(double dt) {
   const Pose last = rate_, before = pose_;
-  Pose begin, end;
+  Pose begin, end, more;
   dt_ = dt;
   pose_ = pose();
   asperity::check_turn(text("region '%s'", region_->id), pose_.angle - before.angle);
@@ -144,9 +144,10 @@ void RegionPart::advance(double dt) {
     const double half = fabs(change) <= fabs(rate_[k]) ? 0.5 * change : 0;
     begin[k] = rate_[k] - half;
     end[k] = rate_[k] + half;
-    to_come_[k] = (2 * change - 4 * half) / dt;
+    more[k] = (2 * change - 4 * half) / dt;
   }
   has_rate_ = true;
+  to_come_ = twist_of(pose_, more);
   motion_.set_last(twist_of(before, begin));
   motion_.advance(frame_of(pose_), twist_of(pose_, end), dt);
   frame_ = motion_.end();
@@ -155,7 +156,7 @@ void RegionPart::advance(double dt) {
 void RegionPart::end_acceleration(const double x[3], const double v[3], double a[3]) const {
   double more[3];
   motion_.acceleration(1, x, v, a);
-  twist_of(pose_, to_come_).velocity(x, more);
+  to_come_.velocity(x, more);
   aspi_add_scaled(a, 1, more, a);
 }
 

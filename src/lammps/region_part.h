@@ -94,7 +94,7 @@ private:
   double origin_[3], axis_[3]; /* of its turn: a point and a unit vector */
   bool is_round_;              /* about that axis: it looks the same however far it has turned */
   Pose pose_, rate_;           /* at the end of the step, and in its mean */
-  Pose to_come_;               /* acceleration at its end beyond that in the step */
+  asperity::Twist to_come_;    /* acceleration at its end beyond that in the step */
   bool has_rate_;
   double dt_;
   asperity::Motion motion_;

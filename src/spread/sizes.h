@@ -22,4 +22,7 @@ double aspi_sizes_at(const aspi_sizes *sizes, int bin); /* the diameter of a bin
 /* One of the two bins around a diameter, the nearer one more often. */
 int aspi_sizes_draw(const aspi_sizes *sizes, double d_p, aspi_stream *stream);
 
+/* The nearest bin. */
+int aspi_sizes_nearest(const aspi_sizes *sizes, double d_p);
+
 #endif

@@ -10,6 +10,8 @@
 #include "base/error.h"
 #include "base/least_squares.h"
 #include "base/tolerances.h"
+#include "surface/ball.h"
+#include "surface/rolling.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
@@ -270,7 +272,7 @@ asp_code asp_heights_describe(const asp_heights *h, asp_heights_numbers *numbers
   return code;
 }
 
-asp_code aspi_heights_check(const asp_heights *h, const asp_heights_numbers *d, asp_error *error) {
+static asp_code check(const asp_heights *h, const asp_heights_numbers *d, asp_error *error) {
   bool is_map = h->rows > 1;
   double phi_r = d->s_q / d->lambda_1;
   if (d->lambda_1 < SPACINGS_LEAST * (is_map ? fmin(h->step[0], h->step[1]) : h->step[0]))
@@ -279,13 +281,40 @@ asp_code aspi_heights_check(const asp_heights *h, const asp_heights_numbers *d, 
         "the %scorrelation length, %g, is less than %g spacings of the points: this "
         "is noise, or sampled too coarsely%s",
         is_map ? "shorter " : "", d->lambda_1, SPACINGS_LEAST,
-        is_map
-            ? ""
-            : "; take short waves out (asperity surface --lambda_s LENGTH --save FILE)");
+        is_map ? "" : "; take short waves out (asperity surface --lambda_s LENGTH --save FILE)");
   if (phi_r > PHI_R_MOST)
     return aspi_fail(error, ASP_EDATA,
                      "phi_r = %s is %g; over %g is no roughness: are the units of positions and "
                      "heights right (asperity surface --unit um)?",
                      is_map ? "S_q/lambda_1" : "R_q/lambda_c", phi_r, PHI_R_MOST);
   return ASP_OK;
+}
+
+/* The heights of the center of a sphere over a map, or of a disc over a profile. */
+static asp_heights *rolled(const asp_heights *h, double d_p, asp_error *error) {
+  if (h->rows == 1)
+    return aspi_profile_path(h, d_p, h->columns, error);
+  size_t n = h->columns * h->rows;
+  aspi_ball *ball = aspi_ball_create(h, d_p, error);
+  double *z = ball ? aspi_allocate(n) : NULL;
+  aspi_ball_search search = aspi_ball_begin(ball);
+  for (size_t i = 0; z && i < n; i++)
+    z[i] = aspi_ball_at(&search, (double)(i % h->columns) * h->step[0],
+                        (double)(i / h->columns) * h->step[1])
+               .height;
+  aspi_ball_free(ball);
+  return ball ? aspi_heights_adopt(z, h->columns, h->rows, h->step, h->periodic, error) : NULL;
+}
+
+asp_code aspi_heights_judge(const asp_heights *h, double d_least, asp_heights_numbers *numbers,
+                            asp_error *error) {
+  asp_code code = asp_heights_describe(h, numbers, error);
+  if (code || !(numbers->s_q > PHI_R_MOST * numbers->lambda_1) || !(d_least > 0))
+    return code ? code : check(h, numbers, error);
+  asp_heights_numbers reached;
+  asp_heights *over = rolled(h, d_least, NULL);
+  if (over && !asp_heights_describe(over, &reached, NULL) && !check(over, &reached, NULL))
+    *numbers = reached;
+  asp_heights_free(over);
+  return check(h, numbers, error);
 }

@@ -11,15 +11,17 @@
  * profiles). */
 #define ASP_LENGTH_ERROR(lengths) (1.1 / sqrt(lengths))
 
-/* ASP_EDATA and a message if the heights cannot be a rough wall: phi_r over 1, or uncorrelated
- * neighbors, as in noise. */
-asp_code aspi_heights_check(const asp_heights *heights, const asp_heights_numbers *numbers,
-                            asp_error *error);
+/* The numbers of a rough wall. ASP_EDATA and a message if the heights cannot be one: uncorrelated
+ * neighbors, as in noise, or phi_r over 1. Depths that no particle reaches do not count: where
+ * phi_r is over 1, the numbers are those of the center of a particle of diameter d_least (0:
+ * unknown) that rolls over the heights. */
+asp_code aspi_heights_judge(const asp_heights *heights, double d_least,
+                            asp_heights_numbers *numbers, asp_error *error);
 
 /* The Gaussian wall with the numbers of a map: s_q, lambda_1, and with `lay` lambda_2 along it;
  * without, it is met across its lay everywhere. */
-asp_surface *aspi_surface_create_map(const asp_heights *map, const asp_heights_numbers *numbers,
-                                     bool lay, asp_error *error);
+asp_surface *aspi_surface_create_map(const asp_heights_numbers *numbers, bool lay,
+                                     asp_error *error);
 
 /* The rms and the skewness of n gradients p, q to the right of the lay and along it. */
 void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],

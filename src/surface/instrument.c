@@ -4,7 +4,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/instrument.h"
-#include "asperity_internal.h"
+#include "base/tolerances.h"
+#include "surface/size_law.h"
 #include "surface/rsm_table.inc"
 
 #include <math.h>
@@ -42,4 +43,19 @@ double aspi_lambda_of_r_sm(double r_sm, double sampling) {
     *(aspi_r_sm_share(middle) > share ? &low : &high) = middle;
   }
   return sampling / (0.5 * (low + high));
+}
+
+/* By bisection up to phi_r 1. */
+double aspi_r_dq_met(double r_q, double d_p, double slope) {
+  double low = slope, high = sqrt(2), met[2] = {0, 0};
+  for (int i = 0; i < HALVINGS && low < high; i++) {
+    double middle = 0.5 * (low + high);
+    asp_surface *wall = asp_surface_create(r_q, aspi_lambda_of_r_dq(r_q, middle), NULL);
+    if (!wall)
+      return NAN;
+    aspi_surface_sphere_slopes(wall, d_p, met);
+    asp_surface_free(wall);
+    *(met[0] < slope ? &low : &high) = middle;
+  }
+  return fabs(met[0] - slope) <= ASPI_ROUNDING_TEXT * slope ? low : NAN;
 }

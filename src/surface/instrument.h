@@ -13,6 +13,10 @@ double aspi_lambda_of_r_dq(double r_q, double r_dq);
 double aspi_lambda_of_s_dq(double s_q, double s_dq);
 double aspi_lambda_of_s_al(double s_al);
 
+/* R_dq of the wall by numbers with this R_q on which a sphere of diameter d_p meets an rms slope;
+ * NAN: it meets none as steep on any. */
+double aspi_r_dq_met(double r_q, double d_p, double slope);
+
 /* R_Sm/lambda_c of ISO 4287 at a sampling length of ASPI_RSM_LEAST to ASPI_RSM_MOST lambda_c. */
 #define ASPI_RSM_LEAST 4
 #define ASPI_RSM_MOST 64

@@ -200,8 +200,8 @@ static asp_code set_by_profile(asp_surface *surface, const asp_heights *profile,
 asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min, double d_max,
                                         int bins, asp_error *error) {
   asp_heights_numbers d;
-  if (check_bins(profile, d_min, d_max, bins, error) || asp_heights_describe(profile, &d, error) ||
-      aspi_heights_check(profile, &d, error))
+  if (check_bins(profile, d_min, d_max, bins, error) ||
+      aspi_heights_judge(profile, d_min, &d, error))
     return NULL;
   if (d_min >= d_max)
     bins = 1;
@@ -222,10 +222,7 @@ asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min
   return surface;
 }
 
-asp_surface *aspi_surface_create_map(const asp_heights *map, const asp_heights_numbers *d, bool lay,
-                                     asp_error *error) {
-  if (aspi_heights_check(map, d, error))
-    return NULL;
+asp_surface *aspi_surface_create_map(const asp_heights_numbers *d, bool lay, asp_error *error) {
   if (lay && d->lambda_2 > STRETCH_LEAST * d->lambda_1)
     return asp_surface_create_lay(d->s_q, d->lambda_1, d->lambda_2, error);
   return asp_surface_create(d->s_q, d->lambda_1, error);

@@ -41,10 +41,17 @@ double asp_wall_face_length(const asp_wall *wall, const asp_particle *particle,
   if (!wall->rough)
     return 0;
   double length = asp_surface_face_length(wall->surface, particle->d_p);
-  if (!aspi_lay_of(wall, particle))
+  if (!aspi_lay_of(wall, particle) && !wall->valleys)
     return length;
   aspi_roughness rough = aspi_roughness_of(wall, particle, load(n));
-  return length * stretch(&rough, heading_along(&rough, load(along), load(n)));
+  aspi_heading heading = heading_along(&rough, load(along), load(n));
+  aspi_valley_table table = aspi_roughness_valleys(&rough, heading);
+  return table.faces ? table.face_length : length * stretch(&rough, heading);
+}
+
+/* The element of a list whose rank is a share of it, 0 < share < 1. */
+static double at_rank(const float *list, size_t n, double share) {
+  return list[(size_t)(share * (double)n)];
 }
 
 asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
@@ -54,14 +61,20 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, load(n));
   aspi_heading heading = heading_along(&rough, load(along), load(n));
-  double slope = aspi_roughness_along(&rough, heading).slope;
-  double lambda = asp_surface_face_length(wall->surface, particle->d_p) / ASPI_FACE_LENGTH *
-                  stretch(&rough, heading);
-  double share = aspi_stream_uniform(&stream);
-  if (wall->isotropic)
+  aspi_valley_table table = aspi_roughness_valleys(&rough, heading);
+  double share = aspi_stream_uniform(&stream), q, height, rise = 0;
+  if (wall->isotropic && !(table.starts && wall->has_cross_slope))
     share = pow(share, 1.0 / FACES_AROUND);
-  double q = slope * sqrt(-2 * log1p(-share));
-  double height = CREST * q * lambda, place = aspi_stream_uniform(&stream), rise = 0;
+  if (table.starts) {
+    q = at_rank(table.start, table.starts, share);
+    height = at_rank(table.height, table.heights, share);
+  } else {
+    double lambda = asp_surface_face_length(wall->surface, particle->d_p) / ASPI_FACE_LENGTH *
+                    stretch(&rough, heading);
+    q = aspi_roughness_along(&rough, heading).slope * sqrt(-2 * log1p(-share));
+    height = CREST * q * lambda;
+  }
+  double place = aspi_stream_uniform(&stream);
   if (wall->isotropic)
     rise = 0.5 * height * (1 - cos(2 * ASP_PI * aspi_stream_uniform(&stream)));
   return (asp_valley){.start = q, .height = height, .place = place, .rise = rise};

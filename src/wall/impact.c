@@ -413,6 +413,31 @@ static bool has_kink(const asp_wall *wall, const aspi_slopes_along *slopes, aspi
   return (1 - along) * (1 - across) < mixed2 * draw * draw;
 }
 
+/* The next face of a particle that stays at the wall. */
+typedef struct next_face {
+  bool kink;       /* the particle comes down to it with the slope `down` */
+  double down, up; /* else from a crest of the curvature up bend/length */
+  double bend, length;
+} next_face;
+
+static next_face gaussian_face(const aspi_roughness *rough, aspi_heading heading, double length,
+                               aspi_stream *stream) {
+  aspi_slopes_along slopes = aspi_roughness_along(rough, heading);
+  next_face next = {
+      .up = rayleigh(&slopes, stream), .bend = sqrt(6), .length = length / ASPI_FACE_LENGTH};
+  next.kink = has_kink(rough->wall, &slopes, stream);
+  if (next.kink)
+    next.down = rayleigh(&slopes, stream);
+  return next;
+}
+
+/* A face of the wall's table; *path: its slope across the way. */
+static next_face face_of(const aspi_valley_table *table, aspi_stream *stream, aspi_path *path) {
+  const aspi_face *at = &table->face[(size_t)((double)table->faces * aspi_stream_uniform(stream))];
+  path->q = at->side;
+  return (next_face){!(at->length > 0), -at->down, at->up, ASP_PI, at->length};
+}
+
 /* The first-hit law at grazing incidence has smaller slopes than these (aspi_grazing), because
  * those particles come from afar, over the highest summits.
  *
@@ -443,19 +468,25 @@ asp_code asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *parti
   vec along = plus(load(v1), f.v_n, f.n);
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
-  aspi_slopes_along slopes = aspi_roughness_along(&rough, aspi_heading_of(&rough, &f));
-  double p = rayleigh(&slopes, &stream);
-  double lambda_c = asp_wall_face_length(wall, particle, v1, n) / ASPI_FACE_LENGTH;
+  aspi_heading heading = aspi_heading_of(&rough, &f);
+  aspi_valley_table table = aspi_roughness_valleys(&rough, heading);
+  aspi_path path = {0};
+  next_face next =
+      table.faces
+          ? face_of(&table, &stream, &path)
+          : gaussian_face(&rough, heading, asp_wall_face_length(wall, particle, v1, n), &stream);
+  double p = next.up;
   f.v_n = 0;
-  if (has_kink(wall, &slopes, &stream))
-    f = turned_down(particle, &f, along, rayleigh(&slopes, &stream));
+  if (next.kink)
+    f = turned_down(particle, &f, along, next.down);
   else {
-    double loose = 1 - press * lambda_c / (f.v_t * f.v_t * p * sqrt(6));
+    double loose = 1 - press * next.length / (f.v_t * f.v_t * p * next.bend);
     if (!(loose > 0))
       return ASP_OK;
     p *= fmin(1, sqrt(12) * pow(loose, 1.5));
   }
-  face on = face_at(wall, &slopes, atan(p), NULL, &stream);
+  aspi_slopes_along slopes = aspi_roughness_along(&rough, heading);
+  face on = face_at(wall, &slopes, atan(p), table.faces ? &path : NULL, &stream);
   vec local, spin = load(particle->omega);
   bool deposit;
   if (!aspi_hit_rebound(wall, particle, &f, on.m, !wall->isotropic, &stream, &spin, &local,

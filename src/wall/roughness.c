@@ -74,6 +74,14 @@ aspi_slopes_along aspi_roughness_along(const aspi_roughness *rough, aspi_heading
   return s;
 }
 
+aspi_valley_table aspi_roughness_valleys(const aspi_roughness *rough, aspi_heading heading) {
+  if (!rough->wall->valleys)
+    return (aspi_valley_table){0};
+  double azimuth = -atan2(heading.sine, heading.cosine);
+  return aspi_valleys_at(rough->wall->valleys, rough->particle->d_p,
+                         aspi_roughness_has_lay(rough) ? &azimuth : NULL);
+}
+
 double aspi_grazing(double a, double kappa) {
   return a < A_FREE ? 1 - 0.19 * tanh(2 * kappa) * exp(-2.3 * a) : 1;
 }

@@ -53,6 +53,9 @@ typedef struct aspi_slopes_along {
 
 aspi_slopes_along aspi_roughness_along(const aspi_roughness *rough, aspi_heading heading);
 
+/* The valleys and faces along a heading; of a Gaussian wall an empty table. */
+aspi_valley_table aspi_roughness_valleys(const aspi_roughness *rough, aspi_heading heading);
+
 /* Factor on the sd of a slope at the first hit of a sphere with tan(alpha1) = a s. The sphere rests
  * on summits, and a grazing one on the highest of these: 1 - 0.19 tanh(2 kappa) exp(-2.3 a) (fitted
  * for this project to dilations of isotropic surfaces, phi_r 0.05 and 0.125, kappa 0.05 to 4). */

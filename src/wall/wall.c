@@ -39,16 +39,17 @@ static asp_code check(const aspi_wall_choice *choice, asp_error *error) {
   return ASP_OK;
 }
 
-static asp_code make_data(const aspi_wall_choice *choice, void **data, asp_error *error) {
-  *data = NULL;
+static asp_code make_data(asp_wall *wall, const aspi_wall_choice *choice, asp_error *error) {
   if (!choice->surface || !choice->spread->prepare)
     return ASP_OK;
   const aspi_height_field of = {choice->surface, choice->heights, choice->isotropic};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
   asp_error wrong = {.code = ASP_OK};
-  *data = choice->spread->prepare(&of, &sizes, &wrong);
-  return *data ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
+  wall->data = choice->spread->prepare(&of, &sizes, &wrong);
+  if (wall->data && choice->heights && choice->spread->follow)
+    wall->valleys = aspi_valleys_create(&of, &sizes, &wrong);
+  return wall->data && !wrong.code ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 
 void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice) {
@@ -69,6 +70,7 @@ void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice) {
 static void release(asp_wall *wall) {
   if (wall->data)
     wall->spread->release(wall->data);
+  aspi_valleys_free(wall->valleys);
   asp_surface_free(wall->surface);
   aspi_cor_table_free(wall->table);
   asp_pair_free(wall->pair);
@@ -103,7 +105,7 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
   if (!code)
     code = copy_parts(wall, choice, error);
   if (!code)
-    code = make_data(choice, &wall->data, error);
+    code = make_data(wall, choice, error);
   wall->rough = is_rough(choice);
   wall->follow = wall->data ? spread->follow : NULL;
   wall->has_cross_slope = wall->data && choice->heights && choice->heights->rows > 1;

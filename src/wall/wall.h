@@ -10,6 +10,7 @@
 #include "rebound/laws.h"
 #include "rebound/removal.h"
 #include "spread/models.h"
+#include "wall/valleys.h"
 
 /* The parts of a wall. The caller keeps ownership. */
 typedef struct aspi_wall_choice {
@@ -48,7 +49,8 @@ struct asp_wall {
   void *data;                     /* of the model */
   bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
                  double *delta);
-  bool has_cross_slope; /* the model draws the slope across the flight, too */
+  aspi_valleys *valleys; /* of the heights that the model follows; NULL: Gaussian */
+  bool has_cross_slope;  /* the model draws the slope across the flight, too */
   const asp_rebound_law *law;
   double parameters[ASP_PARAMETERS_MAX];
   bool rough; /* false: smooth, and nothing is drawn */

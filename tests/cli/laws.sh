@@ -22,6 +22,17 @@ refuses 2 "--dp has" "must rise" -- cor --capture --dp 50um,10um
 refuses 2 "one angle" -- cor --capture --angles 10,20
 refuses 2 "--columns ledger is given with --capture" -- cor --capture --columns ledger
 
+# What sticks by its viscosity is min(1, 10^(8.5 - 9000/(T - 500))) of the impacts at each temperature, a column of its own.
+hot='rebound walton 0.8 0.3 0 deposit delete viscosity critical 1e4 vft -4.5 9000 500'
+"$asperity" cor $hot --temperature 1380,1450:1600:75 --angles 90 --samples 20000 --summary > c
+head -n 2 c | tail -n 1 | grep -q ',temperature_k$' || die "cor --temperature: the columns $(head -n 2 c)"
+rows c | awk -F, '/^[0-9]/ { p = 10 ^ (8.5 - 9000 / ($NF - 500)); p = p > 1 ? 1 : p; d = $5 - p; n++; bad += d * d > 16 * p * (1 - p) / 20000 + 1e-12 }
+  END { exit n != 4 || bad > 0 }' || die "the share that sticks by viscosity: $(cat c)"
+refuses 2 "--temperature: the viscosity is asked for at 400 K" "more than 500 K" -- cor $hot --temperature 1400,400
+refuses 2 "'viscosity' has no effect without 'temperature T'" -- cor $hot
+refuses 2 "--temperature is given with --capture" -- cor $hot --temperature 1400 --capture
+refuses 2 "'temperature' has no effect" "one of their own" -- cor ${hot/ deposit/ temperature 1400 deposit} --temperature 1400
+
 smooth() { "$asperity" cor "$@" --samples 1; }
 printf 'alpha1_deg,cor_n,cor_t\n10,1.5,-0.3\n90,0.4,0.5\n' > beyond.csv
 smooth rebound table beyond.csv --plot beyond.svg > a 2> err

@@ -20,6 +20,8 @@ cmp -s <(rows a) <(rows c) && die "surface: another seed, the same numbers"
 paste -d, <(rows m) <(rows a) | awk -F, 'function off(x, y, part) { d = x / y - 1; return d > part || d < -part }
   off($2, 5, 0.05) || off($3, 40, 0.05) || off($6, $18, 1e-3) || off($9, $21, 1e-3) { exit 1 } END { exit NR != 2 }' || die "surface --profile: $(cat m a)"
 grep -q '^# profile profile.csv: 131072 points read, 0 bad' m || die "surface --profile: the file is not described"
+grep -q '^# for particles of 10 um by numbers: surface rq [45].*um rdq 0.1[78]' m || die "surface --profile: words: $(cat m)"
+! grep -q 'more than one wave' m || die "a wall of one wave has more: $(cat m)"
 
 refuses 2 "'seed' has no effect" -- surface surface profile profile.csv seed 2
 
@@ -71,6 +73,8 @@ rq_of() { "$asperity" surface surface profile waves.csv --dp 2um "$@" 2> err | g
 near() { awk -v a="$1" -v b="$2" -v part="$3" 'BEGIN { exit !(a > b * (1 - part) && a < b * (1 + part)) }' || die "$4: $1, not $2"; }
 near "$(rq_of)" 0.1 0.01 "no filter"
 grep -q 'covers 4 points' err || die "few points per particle"
+awk -F, 'NR > 1 { $2 = 0.4 * sin($1 * 6.2831853 / 800) + 0.02 * sin($1 * 6.2831853 / 8) } { print $1 "," $2 }' waves.csv > two.csv
+"$asperity" surface surface profile two.csv --dp 2um 2> err | grep -q 'more than one wave' || die "two waves are taken for one"
 near "$(rq_of --lambda_s 8um)" 0.0791 0.01 "half of the short wave is left"
 "$asperity" surface surface profile waves.csv --dp 20um --lambda_s 8um 2> err | grep -q ', lambda_s 8e-06 m' || die "--lambda_s is not told"
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # The plugin for LAMMPS by the two lines of cmake/README.md, with an installed asperity in place of this source tree. The
-# LAMMPS is $ASPERITY_LAMMPS_TREE, or one of Debian's headers and what they lack. Usage: plugin.sh BUILD
+# LAMMPS is $ASPERITY_LAMMPS_TREE, or one of Debian's headers and what they lack. Usage: plugin.sh BUILD VERSION
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
-build=$1
+build=$1 version=$2
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 die() { tail -n 30 "$work/log"; echo "FAILED: $*" >&2; exit 1; }
@@ -12,7 +12,7 @@ tree=${ASPERITY_LAMMPS_TREE:-$work/lammps}
 if [ "$tree" = "$work/lammps" ]; then
   mkdir -p "$tree/src"
   for file in /usr/include/lammps/* "$root"/src/lammps/debian/*; do [ -e "$tree/src/${file##*/}" ] || ln -s "$file" "$tree/src"; done
-  echo '#define LAMMPS_VERSION "29 Sep 2021"' > "$tree/src/version.h"
+  echo "#define LAMMPS_VERSION \"$version\"" > "$tree/src/version.h"
   cat > "$tree/src/lammpsplugin.h" << END
 extern "C" {
 typedef void *(lammpsplugin_factory2)(void *, int, char **);

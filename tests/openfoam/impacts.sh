@@ -23,6 +23,18 @@ $rough spread truncated collisions single rebound constant 0.8 0.9;$rough spread
 surface profile $PWD/measured.csv dp_bins 2 rebound constant 0.9 0.8;$rough spread profile rebound constant 1 0.9;surface sigma 5deg rebound constant 0.9 0.9
 END
 
+# Hot parcels without adhesion stick by their viscosity: min(1, 10^(8.5 - 9000/950)) of the first impacts at 1450 K.
+box hot 'walls { ".*" "rebound constant 1 1 temperature 1450 deposit freeze viscosity critical 1e4 vft -4.5 9000 500 seed 3"; } ledger 100; fullLedger yes;' parcels=2000 end=0.5
+mesh hot; run hot
+table a="$(ledger hot __)" "
+p, first = 10 ** (8.5 - 9000 / 950), {}
+for r in a:
+    first.setdefault(r.tag, r)
+stuck = sum(r.outcome == 1 for r in first.values())
+print(stuck, 'of', len(first), 'stick;', p * len(first))
+assert len(first) > 500 and all(r.temperature == 1450 for r in a)
+assert abs(stuck - p * len(first)) < 4 * (len(first) * p * (1 - p)) ** 0.5" || die "the share of hot parcels that sticks"
+
 # OpenFOAM's own model, with the same coefficients.
 box theirs "type rebound; e 0.8; mu 0.1;" model=standardWallInteraction end=2 write=40
 box ours 'walls { ".*" "rebound constant 0.8 0.9"; }' end=2 write=40

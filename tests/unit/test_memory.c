@@ -161,7 +161,7 @@ static asp_surface *make_map_surface(asp_error *error) {
   asp_heights_numbers numbers;
   if (asp_heights_describe(gauss, &numbers, error))
     return NULL;
-  return aspi_surface_create_map(gauss, &numbers, true, error);
+  return aspi_surface_create_map(&numbers, true, error);
 }
 MAKES(map_surface, asp_surface, make_map_surface(error), asp_surface_free)
 

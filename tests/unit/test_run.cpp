@@ -12,6 +12,7 @@
 #include "dem/error.h"
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
+#include "dem/text.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -325,6 +326,13 @@ void pits_hold_grains(void **) {
   assert_true(s.count(Books::N_IMPACTS) - impacts < 1);
 }
 
+/* Fix recenter/kk shifts particles as recenter does, on a card and on the host. */
+void styles_are_known_without_suffix(void **) {
+  for (const char *style : {"recenter", "recenter/kk", "recenter/kk/host"})
+    assert_string_equal(asperity::without_suffix(style).c_str(), "recenter");
+  assert_string_equal(asperity::without_suffix("rigid/small/kk").c_str(), "rigid/small");
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -342,6 +350,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(removed_deposits_are_free),
       cmocka_unit_test(blown_up_velocities_are_told),
       cmocka_unit_test(pits_hold_grains),
+      cmocka_unit_test(styles_are_known_without_suffix),
   };
   MPI_Init(&argc, &argv);
   const int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -341,6 +341,16 @@ static void rows_of_the_table_are_joined_by_lines(void **state) {
   assert_true(fabs(over[2] - over[0]) > 1e-3);
 }
 
+/* A sphere meets the slope of a wall by its words; the words come back from that slope. */
+static void words_of_a_slope_come_back(void **state) {
+  const char *text = "surface rq 5um rdq 0.3 rebound walton 0.5 0.3 0 deposit off";
+  asp_wall *wall = asp_wall_from_text(text, 1e-6, 1e-4, NULL);
+  for (double d_p = 1e-6; d_p < 2e-4; d_p *= 10)
+    assert_near(aspi_r_dq_met(5e-6, d_p, asp_wall_slope(wall, d_p)), 0.3, 1e-6);
+  assert_true(isnan(aspi_r_dq_met(5e-6, 1e-3, 1))); /* too large for a slope of 1 */
+  asp_wall_free(wall);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(slope_alone),
@@ -349,6 +359,7 @@ int main(void) {
       cmocka_unit_test(no_step_where_the_filter_begins),
       cmocka_unit_test(instruments_numbers_come_back),
       cmocka_unit_test(mean_spacings_come_back),
+      cmocka_unit_test(words_of_a_slope_come_back),
       cmocka_unit_test(bad_numbers_are_named),
       cmocka_unit_test(no_step_where_the_table_begins),
       cmocka_unit_test(sphere_finds_less_slope),

@@ -115,7 +115,7 @@ void Books::reorder(int n) {
     const Memory *of = rows_->find(i);
     if (aspi_dot(rows_->state[i].force, rows_->state[i].force) > 0)
       loaded_.push_back(i);
-    if (of && !of->load.empty())
+    if (of && of->load.waits > 0)
       waiting_.push_back(i);
   }
 }
@@ -137,9 +137,9 @@ void Books::begin_end() {
   loaded_.clear();
   for (int i : waiting_) {
     Memory &of = rows_->own(i);
-    aspi_copy(of.load[0].force, rows_->state[i].force);
-    aspi_copy(of.load[0].point, rows_->state[i].point);
-    of.load.clear();
+    aspi_copy(of.load.force, rows_->state[i].force);
+    aspi_copy(of.load.point, rows_->state[i].point);
+    of.load = Load();
   }
   loaded_.swap(waiting_);
 }
@@ -224,13 +224,12 @@ void Books::drop_load(int i, const double x[3], const double v[3], double mass, 
 void Books::add_force(int i, const double p[3], const double point[3]) {
   double *force = rows_->state[i].force, *at = rows_->state[i].point;
   if (is_in_step_) {
-    std::vector<Load> &load = rows_->own(i).load;
-    if (load.empty()) {
-      load.push_back(Load());
+    Load &load = rows_->own(i).load;
+    if (!(load.waits > 0))
       waiting_.push_back(i);
-    }
-    force = load[0].force;
-    at = load[0].point;
+    load.waits = 1;
+    force = load.force;
+    at = load.point;
   } else if (!(aspi_dot(force, force) > 0))
     loaded_.push_back(i);
   aspi_add_scaled(force, 1 / setup_.dt, p, force);

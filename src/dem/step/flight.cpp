@@ -390,10 +390,13 @@ void Flight::list_rests(std::vector<Held> &rests) const {
 /* Books what sustained contacts have given velocity and spin beyond their impulses: those act over
  * the step, and may end within it. Each takes a part as its own impulse is. */
 void Flight::share(const double change[3], const double turned[3]) {
-  std::vector<Held> all = sustained;
   double sum[3] = {0, 0, 0}, size = 0, left[3];
+  std::vector<Held> all;
   if (is_held)
     list_rests(all);
+  all.insert(all.end(), sustained.begin(), sustained.end());
+  if (all.empty())
+    return;
   for (const Held &one : all) {
     aspi_add_scaled(sum, 1, one.p, sum);
     size += aspi_length(one.p);

@@ -45,7 +45,7 @@ struct Read {
   }
 };
 
-const size_t STATE = sizeof(MoverState) / sizeof(double);
+const size_t STATE = sizeof(MoverState) / sizeof(double), LOAD = sizeof(Load) / sizeof(double);
 
 } // namespace
 
@@ -85,6 +85,8 @@ int Memories::pack(int i, double *to) const {
   if (of) {
     *write.to++ = of->draws;
     write.to = std::copy(of->free, of->free + 3, write.to);
+    memcpy(write.to, &of->load, sizeof of->load);
+    write.to += LOAD;
     of->each(write);
   }
   to[0] = static_cast<double>(write.to - to);
@@ -99,6 +101,8 @@ int Memories::unpack(int i, const double *from) {
     of.draws = *read.from++;
     std::copy(read.from, read.from + 3, of.free);
     read.from += 3;
+    memcpy(&of.load, read.from, sizeof of.load);
+    read.from += LOAD;
     of.each(read);
   }
   return static_cast<int>(from[0]);
@@ -109,7 +113,7 @@ int Memories::unpack(int i, const double *from) {
 
 void BodyMemories::write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
                          std::vector<double> &to) {
-  Count count = {5};
+  Count count = {5 + LOAD};
   if (rows.memory[i])
     rows.memory[i]->each(count);
   const size_t at = to.size();

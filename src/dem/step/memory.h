@@ -75,19 +75,20 @@ const double AT_BOTTOM = 0, TO_DRAW = 1;
 
 /* Of a particle in a step that has not ended. */
 struct Load {
+  double waits;              /* 1: there is one */
   double force[3], point[3]; /* as MoverState shows them at its end */
 };
 
 struct Memory {
   double draws;   /* of valleys, and of faces that it met while it rested */
   double free[3]; /* where it rests, its acceleration without walls at the end of the last step */
+  Load load;
   std::vector<FacePlace> faces;
   std::vector<Rest> rests;      /* those of status RESTING */
   std::vector<Rebound> rebound; /* one, of status REBOUNDED */
   std::vector<Stuck> stuck;     /* one, of status STUCK or TO_DELETE */
-  std::vector<Load> load;       /* one, or none */
 
-  Memory() : draws(0), free() {}
+  Memory() : draws(0), free(), load() {}
 
   /* Calls of() for each list: packing, sizes and restart files follow from this. */
   template <class Of> void each(Of &of) {
@@ -95,7 +96,6 @@ struct Memory {
     of(rests);
     of(rebound);
     of(stuck);
-    of(load);
   }
 };
 
@@ -213,10 +213,9 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
-const int PACKED_MOST =
-    10 + static_cast<int>((sizeof(Load) + FACES_MOST * sizeof(FacePlace) +
-                           (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
-                          sizeof(double));
+const int PACKED_MOST = 9 + static_cast<int>((sizeof(Load) + FACES_MOST * sizeof(FacePlace) +
+                                              (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
+                                             sizeof(double));
 static_assert(sizeof(Rebound) <= sizeof(Stuck),
               "the longest list is that of a stuck or resting one");
 

@@ -73,12 +73,12 @@ void Stepper::reorder(const Spheres &s) {
   grains.list(s, setup.groupbit);
   for (const StuckOne &one : grains.stuck) {
     Stuck &at = rows.stuck(one.i);
-    std::vector<Load> &load = rows.own(one.i).load;
-    if (at.is_kept > 0 && books.is_in_step() && load.empty()) {
-      load.push_back(Load());
-      aspi_add_scaled(load[0].force, 0.5, rows.state[one.i].force,
-                      load[0].force); /* a half is over */
-      aspi_copy(rows.state[one.i].point, load[0].point);
+    Load &load = rows.own(one.i).load;
+    if (at.is_kept > 0 && books.is_in_step() && !(load.waits > 0)) {
+      load.waits = 1;
+      aspi_copy(rows.state[one.i].force, load.force);
+      aspi_scale(0.5, load.force); /* a half is over */
+      aspi_copy(rows.state[one.i].point, load.point);
     }
     at.is_kept = 0;
   }

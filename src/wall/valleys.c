@@ -1,0 +1,374 @@
+/* Tables of valleys and faces; see valleys.h.
+ *
+ * Lines go straight over a map in 16 directions; a profile is one line. The crests on them are what
+ * a moving sphere must climb, their kinks and smooth troughs are its faces. A sphere that starts
+ * slowly goes round what is steep: along more lines it is pushed, and settles across its way at
+ * each step. The steepest slope of such a line between a trough and the next crest is the slope at
+ * which the sphere leaves the trough. In three glued beads this is exact.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wall/valleys.h"
+#include "base/error.h"
+#include "base/grow.h"
+#include "surface/ball.h"
+#include "surface/heights.h"
+#include "surface/rolling.h"
+#include "surface/size_law.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Directions over a map; points a correlation length, and of all straight and all pushed lines. */
+enum { DIRECTIONS = 16, PER_LAMBDA = 24, STRAIGHT = 32768, PUSHED = 16384, TRIES_MOST = 1000 };
+
+/* With a lay valleys are longer, and lines are longer by as much, but no more than this. */
+#define LONGER_MOST 4.0
+
+/* Most points of the path over a profile, unless it has more. */
+#define PATH_MOST ((size_t)131072)
+
+/* Steps across the way while a sphere settles, and halvings of the last one. */
+enum { SETTLES_MOST = 64, HALVINGS = 3 };
+
+/* Waves lower than this share of the rms height along a line are no valleys. */
+#define LOW 0.1
+
+/* At a kink the contact moves by more steps than this while the center moves by one. */
+#define KINK 3.0
+
+/* Fractions of two numbers that spread places evenly over a square (Roberts' sequence). */
+#define SPREAD_X 0.7548776662466927
+#define SPREAD_Y 0.5698402909980532
+
+typedef struct list {
+  float *values;
+  size_t n;
+} list;
+
+/* The table of a diameter in one direction, or in all. */
+typedef struct class {
+  list start, height;
+  aspi_face *face;
+  size_t faces;
+  double way; /* length of the straight lines */
+} class;
+
+struct aspi_valleys {
+  aspi_sizes sizes;
+  int directions; /* 1: all alike */
+  class class[];
+};
+
+/* Heights of the center along a line, and their slopes along it and across it. */
+typedef struct line {
+  size_t n;
+  double step, radius, *z, *p, *q;
+} line;
+
+/* ---- rows of a line ---- */
+
+static bool add(list *to, double value) {
+  float *more = aspi_grow(to->values, to->n, sizeof *more);
+  if (more)
+    (to->values = more)[to->n++] = (float)value;
+  return more;
+}
+
+static bool add_face(class *c, const line *l, size_t before, size_t at, double length) {
+  aspi_face *more = aspi_grow(c->face, c->faces, sizeof *more);
+  if (more)
+    (c->face = more)[c->faces++] =
+        (aspi_face){(float)l->p[before], (float)l->p[at], (float)l->q[at], (float)length};
+  return more;
+}
+
+/* From the center to the contact, along the line. */
+static double contact(const line *l, size_t i) {
+  return l->radius * l->p[i] / sqrt(1 + l->p[i] * l->p[i] + l->q[i] * l->q[i]);
+}
+
+static bool is_kink(const line *l, size_t i) {
+  return i + 1 < l->n && contact(l, i + 1) - contact(l, i) > (KINK - 1) * l->step;
+}
+
+static bool add_kinks(class *c, const line *l) {
+  bool ok = true;
+  for (size_t i = 0, from; i < l->n && ok; i++) {
+    for (from = i; is_kink(l, i);)
+      i++;
+    ok = i == from || add_face(c, l, from, i, 0);
+  }
+  return ok;
+}
+
+static bool add_start(class *c, const line *l, size_t trough, size_t crest) {
+  double steepest = 0;
+  for (size_t i = trough; i < crest; i++)
+    steepest = fmax(steepest, l->z[i + 1] - l->z[i]);
+  return add(&c->start, steepest / l->step);
+}
+
+/* The height of a crest; and a face, if its trough is no kink. */
+static bool add_crest(class *c, const line *l, size_t trough, size_t crest) {
+  size_t steepest = trough;
+  bool kink = false;
+  for (size_t i = trough; i < crest; i++)
+    steepest = l->p[i] > l->p[steepest] ? i : steepest;
+  for (size_t i = trough > 2 ? trough - 2 : 0; i < trough + 2; i++)
+    kink = kink || is_kink(l, i);
+  return add(&c->height, l->z[crest] - l->z[trough]) &&
+         (kink || add_face(c, l, trough, steepest, (double)(crest - trough) * l->step));
+}
+
+static double rms(const double *z, size_t n) {
+  double mean = 0, square = 0;
+  for (size_t i = 0; i < n; i++)
+    mean += z[i] / (double)n;
+  for (size_t i = 0; i < n; i++)
+    square += (z[i] - mean) * (z[i] - mean) / (double)n;
+  return sqrt(square);
+}
+
+/* Hands over troughs, each with the crest behind it. */
+static bool find_valleys(class *c, const line *l,
+                         bool (*take)(class *c, const line *l, size_t trough, size_t crest)) {
+  double low = LOW * rms(l->z, l->n);
+  size_t trough = 0, crest = 0;
+  bool rises = false, begun = false, ok = true;
+  for (size_t i = 0; i < l->n && ok; i++) {
+    if (!rises && l->z[i] < l->z[trough])
+      trough = i;
+    if (rises && l->z[i] > l->z[crest])
+      crest = i;
+    if (rises && l->z[i] < l->z[crest] - low) {
+      ok = !begun || take(c, l, trough, crest); /* not the first, which may be cut off */
+      begun = true;
+      rises = false;
+      trough = i;
+    } else if (!rises && l->z[i] > l->z[trough] + low) {
+      rises = true;
+      crest = i;
+    }
+  }
+  return ok;
+}
+
+static bool add_straight(class *c, const line *l) {
+  return add_kinks(c, l) && find_valleys(c, l, add_crest);
+}
+
+/* ---- lines over a map ---- */
+
+/* A sphere on its course over a map. */
+typedef struct course {
+  const asp_heights *map;
+  aspi_ball_search search;
+  double from[2], along[2], step;
+} course;
+
+static double side(const asp_heights *map, int axis) {
+  return (double)(axis ? map->rows : map->columns) * map->step[axis];
+}
+
+/* Touches the map x along the course and y across it; false beyond its edges. */
+static bool touch_at(course *c, double x, double y, aspi_touch *touch) {
+  double at[2] = {c->from[0] + x * c->along[0] - y * c->along[1],
+                  c->from[1] + x * c->along[1] + y * c->along[0]};
+  for (int a = 0; a < 2; a++) {
+    double length = side(c->map, a), out = floor(at[a] / length);
+    at[a] = c->map->periodic ? fmin(fmax(at[a] - length * out, 0), length) : at[a];
+    if (!c->map->periodic && !(at[a] >= 0 && at[a] <= length - c->map->step[a]))
+      return false;
+  }
+  *touch = aspi_ball_at(&c->search, at[0], at[1]);
+  return true;
+}
+
+static double across(const course *c, const aspi_touch *touch) {
+  return touch->q * c->along[0] - touch->p * c->along[1];
+}
+
+/* Lets the sphere go down across its course, from *y on. The bottom may be a kink: it is where the
+ * tangents at both sides of it meet. */
+static bool settle(course *c, double x, double *y, double *z) {
+  aspi_touch low, high = {0, 0, 0}, next;
+  if (!touch_at(c, x, *y, &low))
+    return false;
+  double way = across(c, &low) > 0 ? -c->step : c->step;
+  for (int k = 0, halvings = 0; k < SETTLES_MOST && halvings < HALVINGS; k++) {
+    way *= halvings > 0 ? 0.5 : 1;
+    if (!touch_at(c, x, *y + way, &next))
+      return false;
+    bool past = across(c, &next) * way >= 0;
+    halvings += past || halvings > 0;
+    *(past ? &high : &low) = next;
+    *y += past ? 0 : way;
+  }
+  double a = across(c, &low), b = across(c, &high), part = 0;
+  if (a * way < 0 && b * way > 0)
+    part = (high.height - low.height - b * way) / ((a - b) * way);
+  part = fmin(fmax(part, 0), 1);
+  *z = low.height + part * a * way;
+  *y += part * way;
+  return true;
+}
+
+/* Follows the course over at most so many points. */
+static void follow(course *c, line *l, size_t most, bool pushed) {
+  double y = 0;
+  for (l->n = 0; l->n < most; l->n++) {
+    double x = (double)l->n * l->step;
+    aspi_touch touch;
+    if (pushed ? !settle(c, x, &y, &l->z[l->n]) : !touch_at(c, x, 0, &touch))
+      return;
+    if (pushed)
+      continue;
+    l->z[l->n] = touch.height;
+    l->p[l->n] = touch.p * c->along[0] + touch.q * c->along[1];
+    l->q[l->n] = across(c, &touch);
+  }
+}
+
+/* Lines of a course from many places, of so many points in all. */
+static bool cover(class *k, course *c, line *l, double points, bool pushed) {
+  for (int i = 1; i < TRIES_MOST && points >= 1; i++) {
+    c->from[0] = fmod(i * SPREAD_X, 1) * side(c->map, 0);
+    c->from[1] = fmod(i * SPREAD_Y, 1) * side(c->map, 1);
+    follow(c, l, (size_t)points, pushed);
+    if (!(pushed ? find_valleys(k, l, add_start) : add_straight(k, l)))
+      return false;
+    points -= (double)l->n;
+    k->way += pushed ? 0 : (double)l->n * l->step;
+  }
+  return true;
+}
+
+static bool fill_map(class *to, int directions, const aspi_height_field *of, double lay, line *l,
+                     asp_error *error) {
+  aspi_ball *ball = aspi_ball_create(of->heights, 2 * l->radius, error);
+  double longer = fmin(aspi_surface_stretch(of->surface), LONGER_MOST);
+  l->step = asp_surface_lambda_c(of->surface) / PER_LAMBDA;
+  course c = {.map = of->heights, .search = aspi_ball_begin(ball), .step = l->step};
+  bool ok = ball;
+  for (int i = 0; i < DIRECTIONS && ok; i++) {
+    double azimuth = lay - ASP_PI / 2 + 2 * ASP_PI * i / DIRECTIONS;
+    class *k = &to[i % directions];
+    c.along[0] = cos(azimuth);
+    c.along[1] = sin(azimuth);
+    ok = cover(k, &c, l, longer * STRAIGHT / DIRECTIONS, false) &&
+         cover(k, &c, l, longer * PUSHED / DIRECTIONS, true);
+  }
+  aspi_ball_free(ball);
+  return ok;
+}
+
+/* ---- a profile ---- */
+
+static void turn_round(line *l) {
+  for (size_t i = 0; i < l->n - 1 - i; i++) {
+    size_t j = l->n - 1 - i;
+    double z = l->z[i], p = l->p[i];
+    l->z[i] = l->z[j];
+    l->z[j] = z;
+    l->p[i] = -l->p[j];
+    l->p[j] = -p;
+  }
+}
+
+/* In space both ways, and with the lower slopes of a sphere. */
+static bool fill_profile(class *k, const aspi_height_field *of, line *l, asp_error *error) {
+  double d_p = 2 * l->radius, ratio = 1;
+  asp_heights *path = aspi_profile_path(of->heights, d_p, PATH_MOST, error);
+  if (!path)
+    return false;
+  if (of->in_space)
+    ratio = aspi_sphere_over_disc(asp_surface_kappa(of->surface, d_p));
+  l->n = path->columns;
+  l->step = path->step[0];
+  l->z = path->z;
+  l->p = aspi_allocate(l->n);
+  l->q = calloc(l->n, sizeof *l->q);
+  bool ok = l->p && l->q;
+  for (size_t i = 0; i < l->n && ok; i++) {
+    size_t at = i + 1 < l->n ? i : l->n - 2;
+    l->p[i] = ratio * (path->z[at + 1] - path->z[at]) / l->step;
+  }
+  for (size_t i = 0; i < l->n && ok; i++)
+    path->z[i] *= ratio;
+  for (int way = 0; way < (of->in_space ? 2 : 1) && ok; way++) {
+    ok = add_straight(k, l) && find_valleys(k, l, add_start);
+    k->way += (double)l->n * l->step;
+    turn_round(l);
+  }
+  free(l->p);
+  free(l->q);
+  asp_heights_free(path);
+  return ok;
+}
+
+/* ---- the tables ---- */
+
+static int in_order(const void *a, const void *b) {
+  const float x = *(const float *)a, y = *(const float *)b;
+  return (x > y) - (x < y);
+}
+
+void aspi_valleys_free(aspi_valleys *v) {
+  for (int i = 0; v && i < v->sizes.bins * v->directions; i++) {
+    free(v->class[i].start.values);
+    free(v->class[i].height.values);
+    free(v->class[i].face);
+  }
+  free(v);
+}
+
+static bool fill_all(aspi_valleys *v, const aspi_height_field *of, double lay, asp_error *error) {
+  const size_t most = (size_t)(LONGER_MOST * STRAIGHT / DIRECTIONS);
+  double *room = aspi_allocate(3 * most);
+  bool ok = room;
+  for (int i = 0; i < v->sizes.bins && ok; i++) {
+    line l = {.radius = 0.5 * aspi_sizes_at(&v->sizes, i),
+              .z = room,
+              .p = room + most,
+              .q = room + 2 * most};
+    class *at = &v->class[i * v->directions];
+    ok = of->heights->rows > 1 ? fill_map(at, v->directions, of, lay, &l, error)
+                               : fill_profile(at, of, &l, error);
+    for (class *k = at; k < at + v->directions && ok; k++) {
+      qsort(k->start.values, k->start.n, sizeof *k->start.values, in_order);
+      qsort(k->height.values, k->height.n, sizeof *k->height.values, in_order);
+    }
+  }
+  free(room);
+  return ok;
+}
+
+aspi_valleys *aspi_valleys_create(const aspi_height_field *of, const aspi_sizes *sizes,
+                                  asp_error *error) {
+  asp_heights_numbers d;
+  if (asp_heights_describe(of->heights, &d, error))
+    return NULL;
+  int directions = aspi_surface_stretch(of->surface) > 1 ? DIRECTIONS : 1;
+  aspi_valleys *v = calloc(1, sizeof *v + (size_t)(sizes->bins * directions) * sizeof *v->class);
+  if (v) {
+    v->sizes = *sizes;
+    v->directions = directions;
+  }
+  if (v && fill_all(v, of, d.lay, error))
+    return v;
+  aspi_valleys_free(v);
+  aspi_fail(error, ASP_ENOMEM, "out of memory for the valleys of a %s",
+            aspi_kind_of_rows(of->heights->rows));
+  return NULL;
+}
+
+aspi_valley_table aspi_valleys_at(const aspi_valleys *v, double d_p, const double *azimuth) {
+  const class *k = &v->class[aspi_sizes_nearest(&v->sizes, d_p) * v->directions];
+  double turns = azimuth ? *azimuth / (2 * ASP_PI) : 0;
+  k += lround(v->directions * (turns - floor(turns))) % v->directions;
+  if (!k->start.n || !k->height.n || !k->faces)
+    return (aspi_valley_table){0};
+  return (aspi_valley_table){
+      k->start.values, k->height.values,         k->face, k->start.n, k->height.n,
+      k->faces,        k->way / (double)k->faces};
+}

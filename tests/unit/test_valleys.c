@@ -1,0 +1,144 @@
+/* Valleys and faces of measured walls against closed forms: glued beads, a sine, a closed sine.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "check.h"
+#include "asperity_engine.h"
+#include "asperity_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { DRAWS = 2000 };
+
+static asp_wall *wall_over(const char *words, asp_heights *heights, double d_least, double d_most) {
+  asp_description *d = asp_description_parse(words, NULL, NULL);
+  assert_int_equal(asp_description_set_heights(d, heights, NULL), ASP_OK);
+  asp_error error = {ASP_OK, ""};
+  asp_wall *wall = asp_wall_create(d, d_least, d_most, &error);
+  assert_string_equal(error.text, "");
+  asp_description_free(d);
+  asp_heights_free(heights);
+  return wall;
+}
+
+static int in_order(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Slopes at which a sphere starts, in order. */
+static void draw_starts(const asp_wall *wall, double d_p, double start[DRAWS]) {
+  const asp_particle grain = {.d_p = d_p};
+  const double x[3] = {1, 0, 0}, up[3] = {0, 0, 1};
+  for (int i = 0; i < DRAWS; i++) {
+    asp_key key = {.seed = 1, .wall = 2, .tag = 3, .impact = (uint32_t)i};
+    start[i] = asp_wall_valley(wall, &grain, x, up, &key).start;
+  }
+  qsort(start, DRAWS, sizeof *start, in_order);
+}
+
+static double face_length(const asp_wall *wall, double d_p) {
+  const asp_particle grain = {.d_p = d_p};
+  return asp_wall_face_length(wall, &grain, (double[]){1, 0, 0}, (double[]){0, 0, 1});
+}
+
+/* Beads of diameter 1, side by side in a triangular lattice, on a floor at `deep` under their
+ * middles. */
+static asp_heights *beads(double deep) {
+  enum { N = 8, M = 10, POINTS = 20 };
+  static double z[POINTS * N * 180];
+  const double row = sqrt(0.75);
+  size_t columns = POINTS * N, rows = (size_t)lround(POINTS * M * row), at = 0;
+  double step[2] = {1. / POINTS, M * row / (double)rows};
+  for (size_t j = 0; j < rows; j++)
+    for (size_t i = 0; i < columns; i++, at++) {
+      double x = (double)i * step[0], y = (double)j * step[1];
+      z[at] = -deep;
+      for (int k = (int)(y / row) - 1; k < y / row + 2; k++) {
+        double middle = 0.5 * (k & 1), dx = x - middle - round(x - middle), dy = y - k * row;
+        double square = 0.25 - dx * dx - dy * dy;
+        z[at] = square > 0 ? fmax(z[at], sqrt(square)) : z[at];
+      }
+    }
+  return asp_heights_create(z, columns, rows, step[0], step[1], true, NULL);
+}
+
+/* Within 2 degrees. A sphere of diameter d in the hollow of three beads leaves it between two,
+ * where the slope reaches tan = 1/(2 sqrt(3) h cos(psi)), with its height h over their middles and
+ * psi even in +-60 degrees.
+ */
+static double start_of_beads(double d, double share) {
+  double h = sqrt(0.25 * (1 + d) * (1 + d) - 1 / 3.);
+  return 1 / (2 * sqrt(3) * h * cos(share * ASP_PI / 3));
+}
+
+/* Lines meet the next bead after the mean chord of a hexagon, pi times area over perimeter. */
+static void grains_lie_in_the_hollows_of_beads(void **state) {
+  asp_wall *wall =
+      wall_over("surface map beads rebound walton 0.5 0.5 0 deposit off", beads(0), 1, 2);
+  double start[DRAWS];
+  for (double d = 1; d < 3; d++) {
+    draw_starts(wall, d, start);
+    for (double share = 0.2; share < 0.9; share += 0.3)
+      assert_near(atan(start[(int)(share * DRAWS)]), atan(start_of_beads(d, share)), 0.035);
+    assert_near(face_length(wall, d), ASP_PI / 4, 0.04);
+  }
+  asp_wall_free(wall);
+}
+
+/* A floor that no grain reaches is no reason to refuse the beads, nor changes what lies on them. */
+static void depths_that_no_grain_reaches_do_not_count(void **state) {
+  asp_wall *wall =
+      wall_over("surface map beads rebound walton 0.5 0.5 0 deposit off", beads(1), 1, 1);
+  double start[DRAWS];
+  draw_starts(wall, 1, start);
+  assert_near(atan(start[DRAWS / 2]), atan(start_of_beads(1, 0.5)), 0.035);
+  asp_wall_free(wall);
+  asp_description *d = asp_description_parse("surface map beads spread visible", NULL, NULL);
+  asp_heights *map = beads(1);
+  asp_error error = {ASP_OK, ""};
+  asp_description_set_heights(d, map, NULL);
+  asp_description_expect_pairs(d);
+  assert_null(asp_wall_create(d, 0, 0, &error)); /* no diameter: everything counts */
+  assert_non_null(strstr(error.text, "phi_r"));
+  asp_heights_free(map);
+  asp_description_free(d);
+}
+
+/* Waves of length 1 and height 2 a. */
+static asp_heights *sine(double a) {
+  enum { POINTS = 64, WAVES = 40 };
+  double z[POINTS * WAVES];
+  for (int i = 0; i < POINTS * WAVES; i++)
+    z[i] = a * sin(2 * ASP_PI * i / POINTS);
+  return asp_heights_create(z, POINTS * WAVES, 1, 1. / POINTS, 0, true, NULL);
+}
+
+/* A small disc meets the steepest slope of each wave. A disc of radius r that closes the troughs
+ * has the slope at which its path has a kink: its center, over the crest at x - r p/sqrt(1 + p^2),
+ * is half a wave off. */
+static void discs_lie_between_waves(void **state) {
+  const double a = 0.05, d = 2;
+  const char *words =
+      "surface profile sine spread traced plane rebound walton 0.5 0.5 0 deposit off";
+  asp_wall *wall = wall_over(words, sine(a), 0.05, d);
+  double start[DRAWS], low = 0, high = 0.25;
+  for (int i = 0; i < 60; i++) {
+    double x = 0.5 * (low + high), p = 2 * ASP_PI * a * sin(2 * ASP_PI * x);
+    *(x + 0.5 * d * p / sqrt(1 + p * p) > 0.5 ? &high : &low) = x;
+  }
+  draw_starts(wall, 0.05, start);
+  assert_near(start[DRAWS / 2], 2 * ASP_PI * a, 0.003);
+  draw_starts(wall, d, start);
+  assert_near(start[DRAWS / 2], 2 * ASP_PI * a * sin(2 * ASP_PI * low), 0.006);
+  assert_near(face_length(wall, 0.05), 1, 0.03);
+  assert_near(face_length(wall, d), 1, 0.03);
+  asp_wall_free(wall);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(grains_lie_in_the_hollows_of_beads),
+                                     cmocka_unit_test(depths_that_no_grain_reaches_do_not_count),
+                                     cmocka_unit_test(discs_lie_between_waves)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
