@@ -1,5 +1,5 @@
-/* The static GSL reaches stdout and stderr as the code of a program may, and that of a shared library may not: in the
- * wheel's library it has these in their place (cmake/wheel.cmake).
+/* The static GSL reaches stdout and stderr as the code of a program may, and that of a shared
+ * library may not: in the wheel's library it has these in their place (cmake/wheel.cmake).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
 

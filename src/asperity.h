@@ -12,13 +12,15 @@
  * never exits, and keeps no state of its own. A call that can fail takes an asp_error, or NULL, for
  * the message; it returns a code, or NULL for an object. Returned strings live as long as the
  * object that they belong to. The few structs that a program holds itself change with the major
- * version only.
+ * version only; their `reserved` members are 0.
  *
  *   asp_error error;
  *   asp_wall *wall = asp_wall_from_text("surface rq 5um lambda_c 40um materials quartz 304-ss",
  *                                       0, 0, &error);
- *   asp_particle grain = {.d_p = 1e-5, .density = 2650};
- *   asp_key key = {.seed = 1, .wall = asp_key_wall("plate"), .tag = 1, .impact = 1};
+ *   asp_particle grain = {0};
+ *   grain.d_p = 1e-5;
+ *   grain.density = 2650;
+ *   asp_key key = {asp_wall_seed(wall), asp_key_wall("plate"), 1, 1, 0};
  *   double v1[3] = {93.97, 0, -34.20}, n[3] = {0, 0, 1};
  *   asp_impact impact;
  *   asp_wall_impact(wall, &grain, v1, n, &key, &impact);
@@ -65,6 +67,7 @@ typedef enum asp_code {
 typedef struct asp_error {
   asp_code code;
   char text[480]; /* one line without a full stop: name, value, and what it must be */
+  int reserved[4];
 } asp_error;
 
 const char *asp_code_name(asp_code code); /* as "ASP_EARG" */
@@ -78,13 +81,17 @@ typedef struct asp_wall asp_wall;
 asp_wall *asp_wall_from_text(const char *text, double d_least, double d_most, asp_error *error);
 void asp_wall_free(asp_wall *wall);
 
+/* The seed of its description, for asp_key. */
+uint32_t asp_wall_seed(const asp_wall *wall);
+
 /* The draws of a contact depend on this key alone, so results do not depend on the number of MPI
  * ranks, the order of contacts, or a restart. */
 typedef struct asp_key {
-  uint32_t seed;   /* the user's */
+  uint32_t seed;   /* the user's, see asp_wall_seed */
   uint32_t wall;   /* which wall, see asp_key_wall */
   uint64_t tag;    /* which particle */
   uint32_t impact; /* which impact of that particle, from 1 */
+  uint32_t reserved;
 } asp_key;
 
 /* A number from a wall's name (32-bit FNV-1a): walls with the same seed get independent random
@@ -97,20 +104,29 @@ typedef struct asp_body {
   double inverse_inertia[6]; /* about the center of mass, in the axes of the velocities: xx, yy, zz,
                                 xy, xz, yz; an axis without inertia has 0 */
   double lever[3];           /* from the center of mass to the center of the touching sphere */
+  double reserved[2];
 } asp_body;
+
+/* The gas at the point of impact, which takes deposits away (`deposit freeze remove`). */
+typedef enum asp_gas {
+  ASP_GAS_NONE = 0,    /* nothing is known of it: by the description */
+  ASP_GAS_AT_REST = 1, /* takes nothing away */
+  ASP_GAS_FLOWS = 2    /* with the friction velocity u_tau */
+} asp_gas;
 
 typedef struct asp_particle {
   double d_p;           /* diameter, > 0; for a body, of the touching sphere */
   double density;       /* > 0; ignored for a body */
   const asp_pair *pair; /* NULL: that of the wall */
   double omega[3];      /* angular velocity, rad per time, for laws that turn the particle */
-  const double *lay;    /* direction of the lay at the particle, projected onto the wall. NULL or
-                           parallel to n: treat the flight as across the lay */
+  const double *lay;    /* direction of the lay at the particle, projected onto the wall; NULL: that
+                           of the wall's description, an angle from x toward y. Parallel to n: the
+                           flight is across it */
   double temperature;   /* particle temperature, K; 0: use the description's value */
-  double u_tau;         /* friction velocity at the point of impact; 0: use the description's value;
-                           negative: the gas is at rest */
+  double u_tau;         /* friction velocity at the point of impact, > 0, if the gas flows */
+  asp_gas gas;
   const asp_body *body; /* NULL: a solid sphere */
-  double reserved[4];   /* 0: for later versions */
+  double reserved[4];
 } asp_particle;
 
 typedef enum asp_outcome { ASP_REBOUND = 0, ASP_DEPOSIT = 1 } asp_outcome;
@@ -123,8 +139,8 @@ typedef struct asp_impact {
   int hits;           /* 1, or more with later hits */
   bool capped;        /* true if 64 draws or hits were not enough and the mean wall was used */
   asp_outcome outcome;
-  double eroded;      /* eroded wall mass per particle mass */
-  double reserved[4]; /* 0: for later versions */
+  double eroded; /* eroded wall mass per particle mass */
+  double reserved[4];
 } asp_impact;
 
 /* One contact. v1: velocity relative to the wall; n: outward unit normal of the mean wall. The
@@ -135,7 +151,8 @@ typedef struct asp_impact {
  * omega x lever must approach (u.n < 0). Afterwards u leaves the wall, but v2 may not. A wall with
  * `grain lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG if
  * the law needs a pair and neither particle nor wall has one, ASP_ERANGE if `viscosity` or
- * `soften_modulus` does not hold at the temperature; velocity and spin are then unchanged. */
+ * `soften_modulus` does not hold at the temperature; velocity and spin are then unchanged.
+ * Where a number of the particle, v1 or n is not finite, v2 is NAN in a rebound without hits. */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],
                          const double n[3], const asp_key *key, asp_impact *impact);
 
@@ -156,6 +173,7 @@ typedef struct asp_coefficients {
   double cor_v, cor_alpha, cor_n;      /* in the plane */
   double cor_v_space, cor_alpha_space; /* v2/v1, and asin(v2.n/v2)/alpha1 */
   double cor_t;                        /* signed */
+  double reserved[2];
 } asp_coefficients;
 asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
                                          const asp_impact *impact);
@@ -170,6 +188,7 @@ void asp_impacts_coefficients(size_t n, const double *v1, const double *normals,
 typedef struct asp_units {
   const char *name;
   double meter, kilogram, second;
+  double reserved[2];
 } asp_units;
 
 /* A description of a wall in words, as in a script and in the command:
@@ -210,6 +229,7 @@ typedef struct asp_lay {
   asp_lay_kind kind;
   double vector[3];
   double angle;
+  double reserved[2];
 } asp_lay;
 asp_lay asp_description_lay(const asp_description *description);
 
@@ -252,6 +272,7 @@ typedef struct asp_heights_numbers {
   double lambda_1, lambda_2; /* half axes of the ellipse that fits the 1/e contour of the
                                 autocorrelation best, lambda_1 <= lambda_2; of a profile lambda_c */
   double lay;                /* direction of the longer one, from x toward y, rad, 0 to pi */
+  double reserved[4];
 } asp_heights_numbers;
 
 /* ASP_EDATA when the heights are constant, or too few for their autocorrelation to fall to 1/e

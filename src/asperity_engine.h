@@ -30,22 +30,11 @@ const char *asp_spread_name(const asp_spread_model *model);
 /* ASP_ERANGE and a message if d_p is beyond the range of the size law. Call it at setup. */
 asp_code asp_surface_check(const asp_surface *surface, double d_p, asp_error *error);
 
-/* The wall's numbers; NaN if a wall given by sigma has none. phi_r: eq. 9. slope_rms: without the
- * size filter, sqrt(2) phi_r for a Gaussian wall. */
+/* The wall's numbers; NaN if a wall given by sigma has none. phi_r: eq. 9. */
 double asp_surface_r_q(const asp_surface *surface);
 double asp_surface_lambda_c(const asp_surface *surface);
 double asp_surface_lambda_along(const asp_surface *surface); /* lambda_c if there is no lay */
 double asp_surface_phi_r(const asp_surface *surface);
-double asp_surface_slope_rms(const asp_surface *surface);
-
-/* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */
-int asp_surface_bins(const asp_surface *surface);
-double asp_surface_bin_d_p(const asp_surface *surface, int bin);
-
-/* The standard error of the mean tilt at an impact angle of 2 degrees that comes from the length of
- * the profile, as a part of sigma: about 1.1 over the root of the length in correlation lengths. 0
- * for walls without a profile. */
-double asp_surface_uncertainty(const asp_surface *surface);
 
 /* ---- description ----------------------------------------------------------------------------- */
 /* Parse one clause at a time. Use this if your script mixes wall keywords with its own. Begin with
@@ -60,17 +49,10 @@ asp_code asp_description_check(const asp_description *description, asp_error *er
 /* ASP_EARG and a message if the law with these parameters does not work for bodies. */
 asp_code asp_description_check_bodies(const asp_description *description, asp_error *error);
 
-/* ASP_EARG and a message if the law needs a pair and the description lacks its two materials or the
- * yield stress. */
-asp_code asp_description_check_pair(const asp_description *description, asp_error *error);
-
 /* ASP_EARG and a message if `temperature` or `soften` has no effect. have_own: the particles have
  * temperatures of their own. */
 asp_code asp_description_check_heat(const asp_description *description, bool have_own,
                                     asp_error *error);
-
-/* Yield stress at the description's temperature over the cold one. */
-double asp_description_softening(const asp_description *description);
 
 /* Makes `plane` the default tilt, for two dimensions. Call it before a clause is read. */
 void asp_description_default_plane(asp_description *description);
@@ -95,7 +77,14 @@ typedef struct asp_check_input {
   double d_least;                  /* diameter of the smallest particle */
   const asp_particle *largest;     /* its diameter, density, and pair */
   const asp_material *material[2]; /* of the particle and of the wall */
+  double reserved[4];
 } asp_check_input;
+
+/* Lines for a log, each after an LF: the surface and its tilts for the smallest and the largest
+ * particles; if `largest` has a pair, instead the speeds along the normal above which these
+ * particles yield and below which they stick. Writes at most `size` characters with the NUL, and
+ * returns how many characters there are without it. */
+size_t asp_wall_report(const asp_check_input *input, char *text, size_t size);
 
 /* Run check number `index`, from 0, for input that is valid but suspicious. Writes a warning to
  * `text`, at most `size` characters, "" if there is none; false past the last check. Checks:
@@ -104,12 +93,6 @@ typedef struct asp_check_input {
  * that does not suit the wall; density more than 1 % off the material's; yield stress above a tenth
  * of the composite modulus; adhesion that holds every impact. */
 bool asp_warning(const asp_check_input *input, int index, char *text, size_t size);
-
-/* The speed below which a normal impact of the particle sticks to the mean wall: 0 if the law
- * needs no pair, if nothing sticks, or below 0.001 m/s; INFINITY if every impact up to 10 km/s
- * sticks. `particle` has the density, the pair, and the diameter. 0 if the units are unknown. */
-double asp_description_capture_speed(const asp_description *description,
-                                     const asp_particle *particle);
 
 /* ---- files of measured walls ----------------------------------------------------------------- */
 /* Reads a measured profile (one row of heights) or a map. `meter`: the caller's units per meter. A
@@ -129,8 +112,8 @@ double asp_description_capture_speed(const asp_description *description,
  * The mean line or plane is subtracted; bad points and gaps are refused. `text`, of `size`
  * characters (NULL: none): one sentence about points, form, positions and columns. *doubt:
  * ASP_EDATA and a message if the heights are doubtful: dust (points far off all neighbors),
- * heights in few levels, or cut off at an end of their range; else ASP_OK. For other files the
- * command `asperity surface` has options. */
+ * heights in few levels, or cut off at an end of their range; else ASP_OK. It may be NULL. For
+ * other files the command `asperity surface` has options. */
 asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char *text, size_t size,
                               asp_error *doubt, asp_error *error);
 
@@ -155,12 +138,12 @@ asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle
 /* A contact of a particle that stays at the wall with the next face on its way. Only v1 along the
  * wall counts. The face opposes the motion and is drawn from the visible faces at grazing
  * incidence, whatever the spread model; behind a trough sharper than the particle it comes down to
- * the face. False, and nothing is written, if the particle meets no face: the wall is smooth, or
- * `press`, the acceleration toward the wall, is too small to keep it on the surface. Otherwise like
- * asp_wall_impact. */
-bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                             const double n[3], double press, const asp_key *key,
-                             asp_impact *impact);
+ * the face. Like asp_wall_impact, but with 0 hits and unchanged v2 where the particle meets no
+ * face: the wall is smooth, or `press`, the acceleration toward the wall, is too small to keep it
+ * on the surface. */
+asp_code asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
+                                 const double v1[3], const double n[3], double press,
+                                 const asp_key *key, asp_impact *impact);
 
 /* A valley in which a particle lies. */
 typedef struct asp_valley {
@@ -169,6 +152,7 @@ typedef struct asp_valley {
   /* Position of a particle that has fallen in: its distance from the crest ahead over that from
    * crest to crest; and how far the valley rises across that distance. */
   double place, rise;
+  double reserved[2];
 } asp_valley;
 
 /* Draws a valley; `along` as above, for the lay. Zeros on a smooth wall. */
@@ -180,6 +164,7 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
  * deposit's adhesion from the key. rate 0: no flow, or unknown adhesion. */
 typedef struct asp_removal {
   double rate, most;
+  double reserved[2];
 } asp_removal;
 asp_removal asp_wall_removal(const asp_wall *wall, const asp_particle *particle,
                              const asp_key *key);
@@ -190,21 +175,6 @@ asp_removal asp_wall_removal(const asp_wall *wall, const asp_particle *particle,
  * returns this code, too, and the particle keeps its velocity. share may be NULL. */
 asp_code asp_wall_sticking(const asp_wall *wall, double temperature, double *share,
                            asp_error *error);
-
-/* n contacts like asp_wall_impacts, and the likelihood ratios of their draws on other walls:
- * weights[n][n_others], the probability density of a contact's faces and flights on the other wall
- * over its density on this one, with mean 1. Weighted means over contacts are means on the other
- * wall. ASP_EARG if a wall is smooth, its model has no density (traced), or it has `collisions
- * single`; ASP_ERANGE if another wall is more than 1.4 times as steep. */
-asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
-                          const double *v1, const double *normals, const asp_key *keys,
-                          size_t n_others, const asp_wall *const *others, asp_impact *impacts,
-                          double *weights, asp_error *error);
-
-/* The largest ratio of rms slopes that a particle meets on the other wall and on this one, across
- * the lay and along it; both are rough. */
-double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_particle *particle,
-                        const double n[3]);
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop

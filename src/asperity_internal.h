@@ -39,7 +39,49 @@ const char *asp_rebound_name(const asp_rebound_law *law);
 int asp_material_count(void); /* of the presets */
 const asp_material *asp_material_at(int index);
 
+/* ---- description ----------------------------------------------------------------------------- */
+/* ASP_EARG and a message if the law needs a pair and the description lacks its two materials or the
+ * yield stress. */
+asp_code asp_description_check_pair(const asp_description *description, asp_error *error);
+
+/* Yield stress at the description's temperature over the cold one. */
+double asp_description_softening(const asp_description *description);
+
+/* The speed below which a normal impact of the particle sticks to the mean wall: 0 if the law
+ * needs no pair, if nothing sticks, or below 0.001 m/s; INFINITY if every impact up to 10 km/s
+ * sticks. `particle` has the density, the pair, and the diameter. 0 if the units are unknown. */
+double asp_description_capture_speed(const asp_description *description,
+                                     const asp_particle *particle);
+
+/* ---- weights --------------------------------------------------------------------------------- */
+/* n contacts like asp_wall_impacts, and the likelihood ratios of their draws on other walls:
+ * weights[n][n_others], the probability density of a contact's faces and flights on the other wall
+ * over its density on this one, with mean 1. Weighted means over contacts are means on the other
+ * wall. ASP_EARG if a wall is smooth, its model has no density (traced), or it has `collisions
+ * single`; ASP_ERANGE if another wall is more than 1.4 times as steep. */
+asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *particles,
+                          const double *v1, const double *normals, const asp_key *keys,
+                          size_t n_others, const asp_wall *const *others, asp_impact *impacts,
+                          double *weights, asp_error *error);
+
+/* The largest ratio of rms slopes that a particle meets on the other wall and on this one, across
+ * the lay and along it; both are rough. */
+double asp_wall_steeper(const asp_wall *wall, const asp_wall *other, const asp_particle *particle,
+                        const double n[3]);
+
 /* ---- surface --------------------------------------------------------------------------------- */
+/* Without the size filter, sqrt(2) phi_r for a Gaussian wall. */
+double asp_surface_slope_rms(const asp_surface *surface);
+
+/* The bins of a wall made from a profile; none for other walls. 0 <= bin < asp_surface_bins(). */
+int asp_surface_bins(const asp_surface *surface);
+double asp_surface_bin_d_p(const asp_surface *surface, int bin);
+
+/* The standard error of the mean tilt at an impact angle of 2 degrees that comes from the length of
+ * the profile, as a part of sigma: about 1.1 over the root of the length in correlation lengths. 0
+ * for walls without a profile. */
+double asp_surface_uncertainty(const asp_surface *surface);
+
 /* The rms slope of a rough wall as a sphere of diameter d_p meets it. */
 
 /* kappa = sqrt(3) d_p r_q / lambda_c^2: the particle's radius times the rms curvature of the
@@ -82,7 +124,7 @@ void asp_surface_free(asp_surface *surface);
 double asp_surface_face_length(const asp_surface *surface, double d_p);
 
 /* Bytes of a struct, by its name without asp_, for a caller that lays it out by itself: body,
- * coefficients, error, impact, key, lay, particle, check_input. 0 for another name. */
+ * coefficients, error, impact, key, particle, check_input. 0 for another name. */
 size_t asp_struct_size(const char *name);
 
 #if defined(__GNUC__)

@@ -17,7 +17,8 @@ int main(void) {
     return 1;
   }
   asp_particle grain = {.d_p = 200e-6, .density = 2650};
-  asp_key key = {1, asp_key_wall("plane"), 1, 0}, at_rest = {1, asp_key_wall("valleys"), 1, 0};
+  asp_key key = {1, asp_key_wall("plane"), 1, 0, 0},
+          at_rest = {1, asp_key_wall("valleys"), 1, 0, 0};
   asp_valley valley = {0};
   asp_impact impact;
   double x[2] = {0, 0}, v[3] = {1, 0, -1}, face[2] = {0, 0};

@@ -19,7 +19,7 @@ int main(void) {
   asp_particle grain = {.d_p = 1e-5, .density = 2650};
   for (uint64_t tag = 1; tag <= GRAINS; tag++) {
     asp_impact impact;
-    asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, asp_key_wall("plate"), tag, 1}, &impact);
+    asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, asp_key_wall("plate"), tag, 1, 0}, &impact);
     asp_coefficients cor = asp_impact_coefficients(v1, n, &impact);
     if (impact.outcome == ASP_DEPOSIT) /* it has no coefficients */
       continue;

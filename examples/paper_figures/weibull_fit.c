@@ -93,7 +93,7 @@ static void fit_angle(angle_fit *f, int runs, size_t samples, uint32_t seed, uin
   aspi_running all_k = {0, 0, 0}, all_lambda = {0, 0, 0};
   for (int run = 0; run < runs; run++) {
     double count[FIT_BINS], k, lambda;
-    asp_key key = {seed, asp_key_wall("fit"), tag, (uint32_t)run + 1};
+    asp_key key = {seed, asp_key_wall("fit"), tag, (uint32_t)run + 1, 0};
     sample(f, samples, key, count);
     fit_weibull(count, (double)samples, &k, &lambda);
     aspi_running_add(&all_k, k);

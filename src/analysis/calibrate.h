@@ -51,9 +51,8 @@ typedef struct aspi_calibration {
   aspi_unknown unknown[FIT_UNKNOWNS_MOST];
   size_t n_unknown;
   asp_description *words;
-  asp_wall *wall;    /* made of `words`, at the values that were tried last */
-  asp_pair *pair;    /* NULL: the law needs none */
-  const double *lay; /* NULL: none */
+  asp_wall *wall; /* made of `words`, at the values that were tried last */
+  asp_pair *pair; /* NULL: the law needs none */
   double density, d_p, speed;
   /* Measurement noise: sd of impact and rebound angle (degrees), relative sd of the speeds. */
   double noise[COR_BOTH], noise_speed;
@@ -100,7 +99,7 @@ asp_code aspi_calibration_take_data(aspi_calibration *c, double width, asp_error
  * start and from points in a box around the default values, with weights of the data. If the number
  * of impacts is known, a second fit uses the model's covariance as weights, which few impacts
  * cannot give (quasi-likelihood, Wedderburn 1974); it counts if the model then describes the data.
- */
+ * An unknown whose end of the search the data do not exclude is held there. */
 asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *error);
 
 /* Means and standard deviations of the model's CoR_N and CoR_T at the mean angle of a bin. False:

@@ -58,19 +58,17 @@ static bool see_rebound(const aspi_calibration *c, const aspi_scatter_row *row, 
   static const double n[3] = {0, 0, 1};
   double normal[4] = {0, 0, 0, 0};
   bool noisy = c->noise[0] > 0 || c->noise[1] > 0 || c->noise_speed > 0;
-  aspi_stream noise = aspi_stream_begin(&(asp_key){c->seed, 1, tag, 2});
+  aspi_stream noise = aspi_stream_begin(&(asp_key){c->seed, 1, tag, 2, 0});
   for (int i = 0; i < 4 && noisy; i++)
     normal[i] = aspi_stream_normal(&noise);
   double degrees = row->degrees + c->noise[0] * normal[0];
   degrees = degrees > 90 ? 180 - degrees : fmax(fabs(degrees), 1e-3);
   double v = isnan(row->v1) ? c->speed : row->v1, a1 = aspi_radians(degrees);
   double v1[3] = {degrees < 90 ? v * cos(a1) : 0, 0, -v * sin(a1)};
-  asp_particle particle = {.d_p = isnan(row->d_p) ? c->d_p : row->d_p,
-                           .density = c->density,
-                           .pair = c->pair,
-                           .lay = c->lay};
+  asp_particle particle = {
+      .d_p = isnan(row->d_p) ? c->d_p : row->d_p, .density = c->density, .pair = c->pair};
   asp_impact impact;
-  asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1}, &impact);
+  asp_wall_impact(c->wall, &particle, v1, n, &(asp_key){c->seed, 1, tag, 1, 0}, &impact);
   if (impact.outcome == ASP_DEPOSIT)
     return false;
   /* With v1 along the normal there is no plane of incidence: the whole tangential velocity counts.

@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/compare.h"
 #include "base/error.h"
-#include "base/search.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Tolerances of equal places: degrees, and relative. */
 #define SAME_ANGLE 1e-4
@@ -18,15 +18,6 @@ enum { ENOUGH = 20 };
 /* Every place is a bin of its own if nearly all places, this share, have this many measurements. */
 enum { ROWS_EACH = 4 };
 #define NEARLY_ALL 0.9
-
-static bool is_below(const void *rows, size_t i, double angle) {
-  return ((const aspi_scatter_row *)rows)[i].degrees < angle;
-}
-
-/* Number of impacts below an angle; impacts are in order of their angle. */
-static size_t count_below(const aspi_scatter *impacts, double angle) {
-  return aspi_count_below(impacts->rows, impacts->count, angle, is_below);
-}
 
 /* An unknown one is near any. */
 static bool is_near(double value, double wanted, double share) {
@@ -138,75 +129,49 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
 /* ---- impacts at a place -----------------------------------------------------------------------
  */
 
-/* Weights of the impacts in a bin. */
-typedef struct weights {
-  double *of;    /* of each impact */
-  size_t *which; /* those that have a weight */
-  size_t count;
-} weights;
+/* What the bins take the model's impacts from; taken: of one bin. */
+typedef struct source {
+  aspi_near *near;
+  const aspi_compare_reach *far;
+  aspi_weighted *taken;
+} source;
 
-static bool is_around(const aspi_scatter_row *p, const aspi_scatter_row *at,
-                      const aspi_compare_reach *far) {
-  return is_near(p->v1, at->v1, far->speed) && is_near(p->d_p, at->d_p, far->size);
-}
-
-static double count_near(const aspi_scatter *impacts, const aspi_scatter_row *at,
-                         const aspi_compare_reach *far) {
-  double found = 0;
-  const aspi_scatter_row *p = impacts->rows;
-  for (size_t i = count_below(impacts, at->degrees - far->degrees);
-       i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++)
-    found += is_around(&p[i], at, far) ? p[i].rows : 0;
-  return found;
-}
-
-/* Spreads the weight `rows` over the impacts within `far` of a place. */
-static void weigh(const aspi_scatter *impacts, const aspi_scatter_row *at,
-                  const aspi_compare_reach *far, double rows, weights *w) {
-  double each = rows / count_near(impacts, at, far);
-  const aspi_scatter_row *p = impacts->rows;
-  for (size_t i = count_below(impacts, at->degrees - far->degrees);
-       i < impacts->count && p[i].degrees <= at->degrees + far->degrees; i++) {
-    if (!is_around(&p[i], at, far))
-      continue;
-    if (!(w->of[i] > 0))
-      w->which[w->count++] = i;
-    w->of[i] += each;
-  }
-}
-
-/* Gives weights to the model's impacts in a bin. */
-static void weigh_bin(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
-                      aspi_compare_bin *b) {
+/* Gives weights to the model's impacts in a bin: those near a measured place get the weight of the
+ * measurements there together. */
+static void weigh_bin(const aspi_comparison *c, const source *from, aspi_compare_bin *b) {
   const aspi_scatter_row *rows = c->data.rows;
   b->from = 90;
   b->to = 0;
-  w->count = 0;
   for (size_t i = b->first, next; i < b->end; i = next) {
     double n = rows[i].rows;
     for (next = i + 1; next < b->end && same_place(&rows[i], &rows[next]);)
       n += rows[next++].rows;
-    double at = count_near(&c->impacts, &rows[i], &same);
-    bool exact = at >= ENOUGH || (at > 0 && at >= count_near(&c->impacts, &rows[i], far));
-    weigh(&c->impacts, &rows[i], exact ? &same : far, n, w);
-    double wide = exact ? 0 : far->degrees;
+    double found = aspi_near_find(from->near, &rows[i], &same);
+    bool exact = found >= ENOUGH;
+    if (!exact) {
+      double there = found;
+      found = aspi_near_find(from->near, &rows[i], from->far);
+      exact = there > 0 && there >= found;
+      if (exact)
+        found = aspi_near_find(from->near, &rows[i], &same);
+    }
+    if (found > 0)
+      aspi_near_weigh(from->near, n / found);
+    double wide = exact ? 0 : from->far->degrees;
     b->from = fmax(0, fmin(b->from, rows[i].degrees - wide));
     b->to = fmin(90, fmax(b->to, rows[i].degrees + wide));
   }
 }
 
 /* The model's impacts in a bin. False: out of memory. */
-static bool take_model(const aspi_comparison *c, const aspi_compare_reach *far, weights *w,
-                       aspi_compare_bin *b) {
-  weigh_bin(c, far, w, b);
+static bool take_model(const aspi_comparison *c, const source *from, aspi_compare_bin *b) {
+  weigh_bin(c, from, b);
   aspi_side *side = &b->model;
-  if (!(side->impacts = malloc((w->count + 1) * sizeof *side->impacts)))
-    return false;
-  for (; w->count > 0; w->of[w->which[w->count]] = 0) {
-    size_t i = w->which[--w->count];
-    side->impacts[side->count++] = (aspi_weighted){&c->impacts.rows[i], w->of[i]};
-  }
-  return true;
+  side->count = aspi_near_take(from->near, from->taken);
+  side->impacts = malloc((side->count + 1) * sizeof *side->impacts);
+  if (side->impacts)
+    memcpy(side->impacts, from->taken, side->count * sizeof *side->impacts);
+  return side->impacts;
 }
 
 /* The measured impacts, or means. An sd without a number of impacts counts as one impact. */
@@ -241,13 +206,13 @@ static void free_impacts(aspi_side *side) {
 }
 
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error) {
-  weights w = {calloc(c->impacts.count + 1, sizeof *w.of),
-               calloc(c->impacts.count + 1, sizeof *w.which), 0};
+  source from = {far ? aspi_near_create(&c->impacts, far) : NULL, far,
+                 malloc((c->impacts.count + 1) * sizeof *from.taken)};
   aspi_score score = {0};
-  bool fine = w.of && w.which;
+  bool fine = (from.near || !far) && from.taken;
   for (size_t i = 0; i < c->count && fine; i++) {
     aspi_compare_bin *b = &c->bins[i];
-    fine = take_data(&c->data, b) && (!far || take_model(c, far, &w, b));
+    fine = take_data(&c->data, b) && (!far || take_model(c, &from, b));
     if (!far && fine) {
       b->model = b->data;
       b->data = (aspi_side){.count = 0};
@@ -269,7 +234,7 @@ asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, as
     free_impacts(&b->data);
   }
   c->score = aspi_score_end(&score);
-  free(w.of);
-  free(w.which);
+  aspi_near_free(from.near);
+  free(from.taken);
   return fine ? ASP_OK : no_memory(c->impacts.count, error);
 }

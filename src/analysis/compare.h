@@ -9,7 +9,7 @@
 #ifndef ASP_ANALYSIS_COMPARE_H
 #define ASP_ANALYSIS_COMPARE_H
 
-#include "analysis/impacts.h"
+#include "analysis/near.h"
 #include "analysis/score.h"
 #include "asperity_internal.h"
 
@@ -30,12 +30,6 @@ typedef struct aspi_comparison {
   size_t count;
   aspi_mean_error score;
 } aspi_comparison;
-
-/* Tolerances for matching model impacts to a measurement: degrees, relative speed, relative size.
- */
-typedef struct aspi_compare_reach {
-  double degrees, speed, size;
-} aspi_compare_reach;
 
 /* The borders of all measured places and of their surroundings: model impacts between the same
  * borders are equivalent. To be freed. */

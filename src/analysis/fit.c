@@ -333,6 +333,39 @@ static double interval_end(search *s, const aspi_fit *fit, double rise, size_t j
   return (inner + outer) / 2;
 }
 
+/* Where the data do not exclude an end of an unknown's search, all values up to there describe them
+ * alike, and the start would decide between these. The unknown is then held at that end, or at its
+ * default value if neither end is excluded, and the others are fitted there. Their intervals cover
+ * those at the best fit, too. */
+static void hold_open(search *s, aspi_fit *fit, double both) {
+  const aspi_calibration *p = s->problem;
+  search held = *s;
+  bool open[FIT_UNKNOWNS_MOST], any = false;
+  for (size_t j = 0; j < p->n_unknown; j++) {
+    bool low = isinf(fit->low[j]), high = isinf(fit->high[j]);
+    open[j] = low || high;
+    any = any || open[j];
+    if (open[j])
+      held.low[j] = held.high[j] = low && high ? (p->unknown[j].from + p->unknown[j].to) / 2
+                                   : low       ? s->low[j]
+                                               : s->high[j];
+  }
+  if (!any)
+    return;
+  aspi_fit there = *fit;
+  there.chi2 = descend(&held, there.at, STEPS, CLOSE, &there);
+  fit->model_chi2 += there.chi2 - fit->chi2;
+  fit->chi2 = there.chi2;
+  for (size_t j = 0; j < p->n_unknown; j++) {
+    fit->at[j] = there.at[j];
+    fit->error[j] = there.error[j];
+    if (!open[j]) {
+      fit->low[j] = fmin(fit->low[j], there.at[j] - both * there.error[j]);
+      fit->high[j] = fmax(fit->high[j], there.at[j] + both * there.error[j]);
+    }
+  }
+}
+
 /* 95 % of an unknown by its error; if the data do not exclude a bound, where chi^2 may be far from
  * a parabola, by the rise of chi^2 on the other side alone. */
 static void find_intervals(search *s, aspi_fit *fit) {
@@ -356,6 +389,7 @@ static void find_intervals(search *s, aspi_fit *fit) {
       *high = has_high ? interval_end(s, fit, one * one, j, s->high[j]) : INFINITY;
     }
   }
+  hold_open(s, fit, both);
   for (size_t j = 0; j < p->n_unknown; j++)
     fit->error[j] *= wide;
 }

@@ -116,12 +116,12 @@ asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject, co
   *judge = (aspi_judge){.groups = groups, .count = count};
   judge->angles = calloc(groups * count, sizeof *judge->angles);
   judge->first = calloc(count, sizeof *judge->first);
-  asp_error worst = {ASP_OK, ""};
+  asp_error worst = {.code = ASP_OK};
   if (!judge->angles || !judge->first)
     aspi_fail(&worst, ASP_ENOMEM, "out of memory for a judge of %zu groups", groups);
 #pragma omp parallel for schedule(dynamic)
   for (size_t g = 0; g < groups; g++) {
-    asp_error own = {ASP_OK, ""};
+    asp_error own = {.code = ASP_OK};
     bool failed;
 #pragma omp critical
     failed = worst.code;

@@ -53,7 +53,7 @@ aspi_angles aspi_judge_rebounds(const asp_wall *wall, double d_p, double degrees
 #pragma omp for schedule(static)
     for (size_t i = 0; i < n; i++) {
       asp_impact impact;
-      hit(wall, d_p, v1, &(asp_key){seed, 1, i, 1}, &impact);
+      hit(wall, d_p, v1, &(asp_key){seed, 1, i, 1, 0}, &impact);
       aspi_angles_add(&mine, impact.v2, impact.delta_alpha, impact.hits);
     }
 #pragma omp critical
@@ -113,7 +113,7 @@ double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees) {
     double begun = seconds();
     asp_impact impact;
     for (uint64_t i = 0; i < IMPACTS; i++)
-      hit(wall, d_p, v1, &(asp_key){77, 1, i, 1}, &impact);
+      hit(wall, d_p, v1, &(asp_key){77, 1, i, 1, 0}, &impact);
     least = fmin(least, seconds() - begun);
   }
   return 1e9 * least / IMPACTS;

@@ -6,7 +6,7 @@
 #define ASP_ANALYSIS_SCORE_H
 
 #include "analysis/angles.h"
-#include "analysis/impacts.h"
+#include "analysis/near.h"
 
 /* Fewer single impacts than this give no usable standard error. */
 enum { ASPI_SCORED_LEAST = 10 };
@@ -14,12 +14,6 @@ enum { ASPI_SCORED_LEAST = 10 };
 /* The quantities of an impact: its numbers that are compared, and 1 for a deposit, 0 for a rebound.
  */
 enum { ASPI_DEPOSITS = ASPI_COMPARED, ASPI_QUANTITIES };
-
-/* A row of impacts, and the weight of each of them. */
-typedef struct aspi_weighted {
-  const aspi_scatter_row *row;
-  double weight;
-} aspi_weighted;
 
 /* A sample; NAN if it is too small for a number. size: effective sample size (Kish). _se are
  * standard errors. */

@@ -30,7 +30,8 @@ typedef enum aspi_need {
   ASPI_HAS_YIELD = 256 /* a yield stress or a rate in the words */
 } aspi_need;
 
-/* Places are offsets in the description, 0 for none; a parameter has its place in its law. */
+/* Places are offsets in the description; a keyword has one of `number`, `string` and `choice`, the
+ * other offsets are 0. A parameter has its place in its law. */
 typedef struct aspi_keyword {
   const char *name;
   const char *unit;     /* of a number: its kind, as "length"; "": it has none */

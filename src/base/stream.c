@@ -27,7 +27,7 @@ aspi_stream aspi_stream_begin(const asp_key *key) {
 
 double aspi_stream_trait(const asp_key *key, aspi_trait of) {
   aspi_stream stream =
-      aspi_stream_begin(&(asp_key){key->seed, asp_key_wall("grain"), key->tag, (uint32_t)of});
+      aspi_stream_begin(&(asp_key){key->seed, asp_key_wall("grain"), key->tag, (uint32_t)of, 0});
   return aspi_stream_normal(&stream);
 }
 

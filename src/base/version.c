@@ -17,10 +17,13 @@ size_t asp_struct_size(const char *name) {
     const char *name;
     size_t size;
   } sizes[] = {
-      {"body", sizeof(asp_body)},         {"coefficients", sizeof(asp_coefficients)},
-      {"error", sizeof(asp_error)},       {"impact", sizeof(asp_impact)},
-      {"key", sizeof(asp_key)},           {"lay", sizeof(asp_lay)},
-      {"particle", sizeof(asp_particle)}, {"check_input", sizeof(asp_check_input)},
+      {"body", sizeof(asp_body)},
+      {"coefficients", sizeof(asp_coefficients)},
+      {"error", sizeof(asp_error)},
+      {"impact", sizeof(asp_impact)},
+      {"key", sizeof(asp_key)},
+      {"particle", sizeof(asp_particle)},
+      {"check_input", sizeof(asp_check_input)},
   };
   for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
     if (strcmp(sizes[i].name, name) == 0)

@@ -251,7 +251,7 @@ static void print_all(FILE *out, aspi_calibration *c, const aspi_fit *f) {
 /* ---- the command ---- */
 
 /* Makes the wall, for the data's diameters. */
-static void make_wall(aspi_calibration *c, cli_description *wall, double vector[3]) {
+static void make_wall(aspi_calibration *c, cli_description *wall) {
   double least = INFINITY, most = 0;
   for (size_t i = 0; i < c->data.count; i++) {
     double d_p = isnan(c->data.rows[i].d_p) ? c->d_p : c->data.rows[i].d_p;
@@ -259,7 +259,6 @@ static void make_wall(aspi_calibration *c, cli_description *wall, double vector[
     most = fmax(most, d_p);
   }
   cli_description_make(wall, least, most);
-  c->lay = cli_description_lay(wall, vector);
   c->wall = wall->wall;
 }
 
@@ -280,7 +279,7 @@ static void read_wall(aspi_calibration *c, const cli_call *call,
               !(words->choice.scatter > 0) && !(words->choice.lever > 0);
   c->sticks =
       asp_rebound_needs_pair(asp_description_rebound(words)) && words->deposit != ASPI_DEPOSIT_OFF;
-  c->seed = (uint32_t)asp_description_get(words, "seed");
+  c->seed = (uint32_t)words->seed;
   c->d_p = cli_length(cli_get(call, "dp"));
   c->speed = cli_quantity(cli_get(call, "speed"), "speed", 1e-9, 1e6);
   read_noise(c, cli_get(call, "noise"));
@@ -316,10 +315,9 @@ static void run(cli_call *call) {
   const char *path = call->words[0];
   cli_description wall = cli_description_read(call->n_words - 1, call->words + 1, true);
   aspi_calibration c = {.samples = 0};
-  double vector[3];
   read_wall(&c, call, &wall);
   read_data(call, &c, path);
-  make_wall(&c, &wall, vector);
+  make_wall(&c, &wall);
   aspi_fit f = find_unknowns(&c);
   warn_of_doubt(&c, &f);
   FILE *out = cli_output_open(call, "output", NULL);

@@ -20,6 +20,32 @@ static bool is_file(const char *path, const struct stat *file) {
   return stat(path, &found) == 0 && found.st_dev == file->st_dev && found.st_ino == file->st_ino;
 }
 
+/* The resolved folder of a path with the name of the file, from malloc: a link to a file is
+ * replaced, not followed. NULL: there is no such folder. */
+static char *place_of(const char *path) {
+  char *copy = cli_copy(path), *slash = strrchr(copy, '/');
+  const char *name = slash ? path + (slash - copy) + 1 : path;
+  if (slash)
+    slash[slash == copy] = '\0';
+  char *folder = realpath(slash ? copy : ".", NULL), *place = NULL;
+  if (folder) {
+    size_t size = strlen(folder) + strlen(name) + 2;
+    place = cli_allocate(size, 1);
+    snprintf(place, size, "%s/%s", folder, name);
+  }
+  free(folder);
+  free(copy);
+  return place;
+}
+
+static bool is_same(const char *path, const char *other) {
+  char *place = place_of(path), *others = place_of(other);
+  bool same = place && others && strcmp(place, others) == 0;
+  free(place);
+  free(others);
+  return same;
+}
+
 /* Exits if an option would overwrite an input file. */
 static void keep_inputs(const cli_call *call) {
   for (int k = 0; k < N_WRITTEN; k++) {
@@ -39,7 +65,7 @@ static void check_files(const cli_call *call) {
     const char *path = cli_value(call, written[k]);
     for (int m = 0; m < k && path && strncmp(path, "/dev/", 5) != 0; m++) {
       const char *other = cli_value(call, written[m]);
-      if (other && strcmp(path, other) == 0)
+      if (other && is_same(path, other))
         cli_bad_usage("--%s and --%s are both '%s'", written[m], written[k], path);
     }
   }

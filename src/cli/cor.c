@@ -25,7 +25,6 @@ enum { CAPTURE_POINTS = 61 };
 
 typedef struct scene {
   cli_description wall;
-  uint32_t seed;
   cli_list speeds, sizes; /* of a log-normal law ln has the sd ln(most/least)/5 */
   cli_list heats;         /* temperatures, K; without --temperature one 0: by the description */
 } scene;
@@ -60,7 +59,7 @@ static size_t count_groups(const scene *s) {
 
 /* One impact at an angle in degrees. */
 static row impact_at(const scene *s, double angle, size_t sample, uint64_t tag) {
-  asp_key key = {s->seed, asp_key_wall("cor"), tag, 0};
+  asp_key key = {asp_wall_seed(s->wall.wall), asp_key_wall("cor"), tag, 0, 0};
   aspi_stream stream = aspi_stream_begin(&key);
   size_t sizes = count_of(&s->sizes), speeds = count_of(&s->speeds);
   row r = {.d_p = sample_of(&s->sizes, sample, &stream), .alpha1 = angle};
@@ -256,7 +255,6 @@ static scene read_scene(cli_call *call, bool capture) {
     check_grid("dp", &s.sizes);
     check_grid("speed", &s.speeds);
   }
-  s.seed = (uint32_t)asp_description_get(s.wall.words, "seed");
   return s;
 }
 

@@ -133,8 +133,11 @@ void cli_description_doubt(const cli_description *d, double d_least, double d_mo
   const bool hits = !d->has_no_impact;
   const asp_particle largest = {
       .d_p = d_most, .density = d->density, .pair = hits ? d->pair : NULL};
-  const asp_check_input input = {
-      d->words, d->wall, d_least, &largest, {hits ? d->particle : NULL, hits ? d->target : NULL}};
+  const asp_check_input input = {.words = d->words,
+                                 .wall = d->wall,
+                                 .d_least = d_least,
+                                 .largest = &largest,
+                                 .material = {hits ? d->particle : NULL, hits ? d->target : NULL}};
   char doubt[500];
   for (int i = 0; asp_warning(&input, i, doubt, sizeof doubt); i++)
     if (*doubt)
@@ -165,32 +168,19 @@ void cli_description_doubt_angles(const cli_description *d, const cli_list *angl
              least, lowest);
 }
 
-const double *cli_description_lay(const cli_description *d, double vector[3]) {
-  asp_lay lay = asp_description_lay(d->words);
-  if (lay.kind == ASP_LAY_NONE)
-    return NULL;
-  vector[0] = lay.kind == ASP_LAY_ANGLE ? cos(lay.angle) : lay.vector[0];
-  vector[1] = lay.kind == ASP_LAY_ANGLE ? sin(lay.angle) : lay.vector[1];
-  vector[2] = lay.kind == ASP_LAY_ANGLE ? 0 : lay.vector[2];
-  return vector;
-}
-
 double cli_description_shrink(const cli_description *d, const asp_surface *surface) {
-  double vector[3], ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
-  const double *lay = cli_description_lay(d, vector);
-  return lay ? 1 + (ratio * ratio - 1) * lay[0] * lay[0] : 1;
+  const aspi_wall_choice choice = aspi_description_choice(d->words);
+  double ratio = asp_surface_lambda_c(surface) / asp_surface_lambda_along(surface);
+  return choice.has_lay ? 1 + (ratio * ratio - 1) * choice.lay[0] * choice.lay[0] : 1;
 }
 
 cli_impact cli_impact_at(const cli_description *d, double d_p, double speed, double kelvin,
                          double degrees, const asp_key *key) {
   static const double n[3] = {0, 0, 1};
-  double alpha = aspi_radians(degrees), lay[3];
+  double alpha = aspi_radians(degrees);
   double v1[3] = {degrees < 90 ? speed * cos(alpha) : 0, 0, -speed * sin(alpha)};
-  asp_particle particle = {.d_p = d_p,
-                           .density = d->density,
-                           .pair = d->pair,
-                           .lay = cli_description_lay(d, lay),
-                           .temperature = kelvin};
+  asp_particle particle = {
+      .d_p = d_p, .density = d->density, .pair = d->pair, .temperature = kelvin};
   cli_impact i;
   asp_wall_impact(d->wall, &particle, v1, n, key, &i.impact);
   i.cor = asp_impact_coefficients(v1, n, &i.impact);

@@ -64,10 +64,6 @@ typedef struct cli_impact {
 cli_impact cli_impact_at(const cli_description *description, double d_p, double speed,
                          double kelvin, double degrees, const asp_key *key);
 
-/* The direction of the lay for particles that fly along x over the wall z = 0; NULL: no lay. An
- * angle is from x toward y. `vector` holds it. */
-const double *cli_description_lay(const cli_description *description, double vector[3]);
-
 /* The square of lambda_c across the lay over the correlation length along the flight; 1 without a
  * lay. */
 double cli_description_shrink(const cli_description *description, const asp_surface *surface);

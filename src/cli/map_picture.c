@@ -55,7 +55,7 @@ static void take_view(picture *p, const cli_option *option) {
 }
 
 static void take_clip(picture *p, const cli_option *option) {
-  static const asp_units si = {"SI", 1, 1, 1};
+  static const asp_units si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
   char *text = cli_copy(option->value), *part[3];
   for (int i = 0; i < 3; i++)
     part[i] = aspi_text_field(&text, ':');

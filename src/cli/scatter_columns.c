@@ -158,8 +158,10 @@ static double factor_of(const char *kind, const char *unit, bool stated) {
 /* The unit of a ledger's column that has none in its name: of the units in the first comment, else
  * of SI; NAN if they have no size. */
 static double ledger_unit(const char *header, const char *kind) {
-  static const asp_units styles[] = {
-      {"si", 1, 1, 1}, {"cgs", 1e2, 1e3, 1}, {"micro", 1e6, 1e15, 1e6}, {"nano", 1e9, 1e21, 1e9}};
+  static const asp_units styles[] = {{"si", 1, 1, 1, {0}},
+                                     {"cgs", 1e2, 1e3, 1, {0}},
+                                     {"micro", 1e6, 1e15, 1e6, {0}},
+                                     {"nano", 1e9, 1e21, 1e9, {0}}};
   const char *named = strstr(header, UNITS);
   named = named ? named + strlen(UNITS) : "si";
   if (!*kind || strcmp(kind, ANGLE) == 0)

@@ -24,7 +24,7 @@ enum { PARAMETERS = ASPI_OTHER - ASPI_DERIVATIVE, WALLS_MOST = 2 * PARAMETERS + 
 typedef struct study {
   const char *path;
   cli_description own;
-  asp_key key;
+  uint32_t wall_key;
   const char *names[PARAMETERS]; /* rq and lambda_c, or sigma */
   size_t n_names, n_walls;       /* walls: each parameter a step up and down; that of --to */
   const asp_wall *walls[WALLS_MOST];
@@ -98,23 +98,22 @@ static void take_heading(study *s, const char *name, const char *heading) {
         s->path);
   s->has_mass = own != NULL;
   s->has_erosion = strstr(heading, " erosion ");
-  s->key.seed = (uint32_t)asp_description_get(s->own.words, "seed");
-  s->key.wall = asp_key_wall(name ? name : own);
+  s->wall_key = asp_key_wall(name ? name : own);
   free(own);
 }
 
 /* Repeats the impact of a row and takes the ratios of its draws. */
 static void weigh(study *s, size_t line, const double fields[], aspi_drawn *d) {
   asp_impact is;
-  double lay[3], weights[WALLS_MOST], *self = d->self;
+  double weights[WALLS_MOST], *self = d->self;
   asp_particle particle = {.d_p = fields[D_P],
                            .density = s->has_mass ? fields[MASS] / ASP_SPHERE_VOLUME(fields[D_P])
                                                   : s->own.density,
                            .pair = s->own.pair,
-                           .lay = cli_description_lay(&s->own, lay),
                            .temperature = fields[KELVIN] > 0 ? fields[KELVIN] : 0};
   memcpy(particle.omega, fields + SPIN, sizeof particle.omega);
-  asp_key key = {s->key.seed, s->key.wall, (uint64_t)fields[TAG], (uint32_t)fields[IMPACT]};
+  asp_key key = {asp_wall_seed(s->own.wall), s->wall_key, (uint64_t)fields[TAG],
+                 (uint32_t)fields[IMPACT], 0};
   cli_must(!asp_wall_weights(s->own.wall, 1, &particle, fields + BEFORE, fields + NORMAL, &key,
                              s->n_walls, s->walls, &is, weights, &cli_error));
   const double *v = fields + AFTER;

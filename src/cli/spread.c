@@ -23,8 +23,8 @@ typedef struct scene {
 } scene;
 
 static double draw(const scene *s, const aspi_spread_input *view, uint64_t sample) {
-  uint32_t seed = (uint32_t)asp_description_get(s->wall.words, "seed");
-  aspi_stream stream = aspi_stream_begin(&(asp_key){seed, asp_key_wall("spread"), sample, 1});
+  aspi_stream stream = aspi_stream_begin(
+      &(asp_key){asp_wall_seed(s->wall.wall), asp_key_wall("spread"), sample, 1, 0});
   double delta;
   if (!aspi_spread_draw(s->model, view, &stream, &delta))
     cli_fail("model '%s' found no face for alpha1 = %g degrees", s->model->name,
@@ -36,8 +36,7 @@ static aspi_spread_input view_of(const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   if (!surface)
     return aspi_spread_input_of(0, 0);
-  double vector[3] = {0, 1, 0};
-  const double *lay = cli_description_lay(wall, vector);
+  const double *lay = wall->wall->has_lay ? wall->wall->lay : NULL;
   double part = cli_description_shrink(wall, surface);
   double slope =
       lay ? aspi_surface_slope_along(surface, d_p, part) : asp_surface_slope(surface, d_p);

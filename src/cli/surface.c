@@ -162,7 +162,7 @@ static void measure(const wall_profile *wall, const cli_list *sizes, slopes_row 
   cli_progress progress = cli_progress_begin("surface", (double)sizes->count);
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < sizes->count; i++) {
-    asp_error own = {ASP_OK, ""};
+    asp_error own = {.code = ASP_OK};
     rows[i] = (slopes_row){.d_p = sizes->values[i], .r_q = wall->r_q, .lambda_c = wall->lambda_c};
     aspi_profile_describe_slopes(wall->profile, rows[i].d_p, &rows[i].slopes, &own);
 #pragma omp critical

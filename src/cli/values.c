@@ -70,7 +70,7 @@ void cli_check_unit(const char *name, const char *text, const char *kind) {
  * `least`. */
 static double read_number(const cli_option *option, const char *text, const char *kind,
                           double least, double most) {
-  static const asp_units si = {"SI", 1, 1, 1};
+  static const asp_units si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
   bool is_length = strcmp(kind, "length") == 0;
   char name[80];
   double value;

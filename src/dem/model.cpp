@@ -26,8 +26,8 @@ std::string for_types(int n, const char *first, const char *other) {
 } // namespace
 
 Model::Model(const Engine &engine)
-    : engine_(engine), units_(), d_range_(), doubted_for_{HUGE_VAL, 0}, deposit_(FREEZE), seed_(1),
-      lay_(), heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
+    : engine_(engine), units_(), d_range_(), doubted_for_{HUGE_VAL, 0}, deposit_(FREEZE), lay_(),
+      heights_(NULL, asp_heights_free), description_(NULL, asp_description_free),
       wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), types_(1), least_(0), most_(0),
       temperature_(0), dissipates_(true), is_new_(true) {}
 
@@ -87,7 +87,6 @@ void Model::finish(bool own_heat) {
     throw Error("behind 'remove', 'u_tau U' is expected");
   const std::string deposit = word("deposit");
   deposit_ = deposit == "freeze" ? FREEZE : deposit == "delete" ? DELETE : OFF;
-  seed_ = static_cast<uint32_t>(number("seed"));
   lay_ = asp_description_lay(description_.get());
   check_dimension();
   if (measured())
@@ -162,7 +161,7 @@ void Model::make() {
     asp_particle particle = {};
     particle.d_p = particle.density = 1;
     const double v1[3] = {1, 0, -1}, n[3] = {0, 0, 1};
-    const asp_key key = {seed_, 0, 0, 0};
+    const asp_key key = {seed(), 0, 0, 0, 0};
     asp_impact impact;
     asp_wall_impact_mean(wall_.get(), &particle, v1, n, &key, &impact);
     dissipates_ = impact.v2[0] < v1[0] || impact.v2[2] < -v1[2];
@@ -232,7 +231,8 @@ void Model::find_materials() {
     else
       take_constants();
     make_pairs();
-    report_yield();
+    if (is_given("yield_stress"))
+      materials_report_ += text("\n  yield_stress %g, by the description", number("yield_stress"));
   }
   if (!pairs_.empty() || is_given("friction"))
     report_constant("friction", "coefficientFriction", of_script, friction(1, 1));

@@ -41,7 +41,7 @@ public:
     return deposit_;
   }
   uint32_t seed() const {
-    return seed_;
+    return asp_wall_seed(wall_.get());
   }
   const asp_wall *wall() const {
     return wall_.get();
@@ -126,12 +126,12 @@ private:
   void make_pairs();
   void check_kinds() const;
   void report_constant(const char *keyword, const char *name, bool of_script, double value);
-  void report_yield();
   void ask(const asp_check_input &input, int type, int wall_type);
   void warn_of_doubts();
   double density(int type, const Engine::Kind &kind) const;
-  std::string describe_capture() const;
-  std::string describe_surface() const;
+  std::string report(const asp_particle &particles) const;
+  std::string describe_speeds() const;
+  std::string describe_file() const;
 
   const Engine &engine_;
   std::string units_name_;
@@ -141,7 +141,6 @@ private:
   double doubted_for_[2]; /* the least and the greatest diameter for which doubts were looked for */
   std::set<std::pair<int, std::string>> said_; /* doubts, with the type of the particles */
   Deposit deposit_;
-  uint32_t seed_;
   asp_lay lay_;
   std::unique_ptr<asp_heights, void (*)(asp_heights *)> heights_;
   std::unique_ptr<asp_description, void (*)(asp_description *)> description_;

@@ -37,10 +37,10 @@ std::string asperity::description_text(const asp_description *description) {
 static const struct {
   asp_units units;
   const char *time;
-} STYLES[] = {{{"si", 1, 1, 1}, " s"},
-              {{"cgs", 1e2, 1e3, 1}, " s"},
-              {{"micro", 1e6, 1e15, 1e6}, " us"},
-              {{"nano", 1e9, 1e21, 1e9}, " ns"}};
+} STYLES[] = {{{"si", 1, 1, 1, {}}, " s"},
+              {{"cgs", 1e2, 1e3, 1, {}}, " s"},
+              {{"micro", 1e6, 1e15, 1e6, {}}, " us"},
+              {{"nano", 1e9, 1e21, 1e9, {}}, " ns"}};
 
 asp_units asperity::units_of(const std::string &name) {
   for (const auto &style : STYLES)

@@ -132,7 +132,7 @@ double asp_description_softening(const asp_description *d) {
 /* ---- the surface of numbers ---- */
 
 asp_surface *aspi_description_surface(const asp_description *d, asp_error *error) {
-  asp_error wrong = {ASP_OK, ""};
+  asp_error wrong = {.code = ASP_OK};
   asp_surface *made = d->kind == ASPI_SIGMA ? aspi_surface_create_slope(tan(aspi_radians(d->sigma)),
                                                                         d->lambda_c, &wrong)
                       : d->lay != ASP_LAY_NONE
@@ -148,7 +148,7 @@ asp_surface *aspi_description_surface(const asp_description *d, asp_error *error
 asp_code asp_description_check(const asp_description *d, asp_error *error) {
   if (d->broken.code)
     return aspi_fail(error, d->broken.code, "%s", d->broken.text);
-  asp_error wrong = {ASP_OK, ""};
+  asp_error wrong = {.code = ASP_OK};
   asp_code code = check_effects(d, error);
   if (!code)
     code = check_spread(d, error);

@@ -12,7 +12,7 @@
 #include <string.h>
 
 asp_description *aspi_description_create(const asp_units *units, asp_error *error) {
-  static const asp_units si = {"SI", 1, 1, 1};
+  static const asp_units si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
   asp_description *d = calloc(1, sizeof *d);
   if (!d) {
     aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
@@ -184,7 +184,7 @@ const asp_rebound_law *asp_description_rebound(const asp_description *d) {
 }
 
 asp_lay asp_description_lay(const asp_description *d) {
-  asp_lay lay = {d->lay, {0, 0, 0}, 0};
+  asp_lay lay = {.kind = d->lay};
   if (lay.kind == ASP_LAY_ANGLE && d->lay_word)
     lay.angle = strcmp(d->lay_word, "axial") == 0 ? 0 : 0.5 * ASP_PI;
   else if (lay.kind == ASP_LAY_ANGLE)

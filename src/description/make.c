@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Diameters that a measured wall is prepared for by default. */
+/* How many size classes a measured wall has without dp_bins. */
 enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 
 /* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */
@@ -19,7 +19,7 @@ enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_error *doubt,
                            asp_error *error) {
   *heights = NULL;
-  *doubt = (asp_error){ASP_OK, ""};
+  *doubt = (asp_error){.code = ASP_OK};
   if (!d->file || d->choice.heights)
     return ASP_OK;
   asp_error wrong;
@@ -73,7 +73,7 @@ static asp_surface *make_surface(const asp_description *d, const aspi_sizes *siz
   if (d->kind == ASPI_SIGMA || d->kind == ASPI_GAUSSIAN)
     return aspi_description_surface(d, error);
   const asp_heights *h = d->choice.heights;
-  asp_error wrong = {ASP_OK, ""};
+  asp_error wrong = {.code = ASP_OK};
   asp_surface *made = h->rows > 1 ? make_from_map(d, sizes->least, &heights->lambda, &wrong)
                                   : make_from_profile(d, sizes, &heights->lambda, &wrong);
   heights->spacing = aspi_heights_extent(h).spacing;
@@ -90,6 +90,11 @@ aspi_wall_choice aspi_description_choice(const asp_description *d) {
   aspi_wall_choice choice = d->choice;
   choice.spread = aspi_description_spread(d);
   choice.deposit = d->deposit != ASPI_DEPOSIT_OFF;
+  choice.seed = (uint32_t)d->seed;
+  const asp_lay lay = asp_description_lay(d);
+  const double by_angle[3] = {cos(lay.angle), sin(lay.angle), 0};
+  choice.has_lay = lay.kind != ASP_LAY_NONE;
+  memcpy(choice.lay, lay.kind == ASP_LAY_ANGLE ? by_angle : lay.vector, sizeof choice.lay);
   choice.sizes.bins = d->bins > 0 ? (int)d->bins : d->kind == ASPI_MAP ? MAP_BINS : PROFILE_BINS;
   return choice;
 }

@@ -34,7 +34,7 @@ static asp_code read_choice(aspi_words *r, const aspi_keyword *k, uint8_t *place
 
 /* A keyword's value to its place. */
 static asp_code read_value(aspi_words *r, const aspi_keyword *k) {
-  void *place = (char *)r->d + k->number + k->string + k->choice; /* two of them are 0 */
+  void *place = (char *)r->d + k->number + k->string + k->choice; /* a keyword has one of them */
   if (k->flag)
     *((uint8_t *)r->d + k->flag) = k->sets;
   const aspi_form *form = aspi_form_of(k);
@@ -60,6 +60,17 @@ static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
                : ASP_EARG;
 }
 
+/* A word that is nearly one within the keyword tells more than what is missing. */
+static asp_code fail_within(const aspi_words *r, const aspi_keyword *of, asp_code code) {
+  char list[ASPI_LIST_MOST] = "", near[64];
+  const char *next = r->next < r->count ? r->words[r->next] : "";
+  aspi_keyword_names(of->name, list, sizeof list);
+  bool is_own = !aspi_keyword_find(next) && !aspi_words_in_list(next, r->others);
+  return *next && is_own && !aspi_words_in_list(next, list) && aspi_nearest_name(next, list, near)
+             ? aspi_fail_unknown(r->error, "keyword", next, list)
+             : code;
+}
+
 /* Reads the value of a keyword, and the keywords within it. */
 static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
   r->d->given |= aspi_keyword_bit(k);
@@ -74,9 +85,12 @@ static asp_code read_keyword(aspi_words *r, const aspi_keyword *k) {
     if (in && !code)
       code = read_keyword(r, in);
   }
-  if (!code)
-    code = check_within(r, k, any);
-  return !code && form->finish ? form->finish(r) : code;
+  if (code)
+    return code;
+  code = check_within(r, k, any);
+  if (!code && form->finish)
+    code = form->finish(r);
+  return code ? fail_within(r, k, code) : ASP_OK;
 }
 
 /* Reports where the word belongs, or lists the words allowed here: keywords that begin a clause,

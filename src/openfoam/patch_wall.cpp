@@ -19,8 +19,6 @@ PatchWall::PatchWall(const std::string &name_, const std::string &key, const std
   words_.reset(asp_description_parse(words.c_str(), NULL, &wrong));
   if (!words_)
     throw Error(wrong.text);
-  lay_ = asp_description_lay(words_.get());
-  seed_ = static_cast<uint32_t>(asp_description_get(words_.get(), "seed"));
   deletes = strcmp(asp_description_word(words_.get(), "deposit"), "delete") == 0;
   has_flow = asp_description_is_given(words_.get(), "remove");
   temperature_ = asp_description_is_given(words_.get(), "temperature")
@@ -55,21 +53,28 @@ void PatchWall::check(const Cloud &cloud) const {
                 "0, and dMax, which must be dMin or more");
   if (has_flow && cloud.is_steady)
     throw Error("a cloud in steady state has no time in which 'remove' could take deposits away");
-  if (lay_.kind == ASP_LAY_ANGLE)
+  const asp_lay_kind lay = asp_description_lay(words).kind;
+  if (lay == ASP_LAY_ANGLE)
     throw Error("the lay is an angle, which counts on cylinders only; it must be a vector");
   const bool in_plane = strcmp(asp_description_word(words, "tilt"), "plane") == 0;
   if (cloud.is_flat && surface != "smooth" &&
-      (!in_plane || surface == "map" || lay_.kind != ASP_LAY_NONE))
+      (!in_plane || surface == "map" || lay != ASP_LAY_NONE))
     throw Error("this case has two dimensions (empty or wedge patches), and the wall tilts out of "
                 "their plane; the spread "
                 "must be 'plane', as in 'spread visible plane', without map and lay");
 }
 
+asp_key PatchWall::key_of(const Parcel &parcel) const {
+  asp_key key = parcel.key;
+  key.seed = asp_wall_seed(wall_.get());
+  key.wall = key_;
+  return key;
+}
+
 Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
   typedef LedgerColumn L;
-  asp_particle sphere = parcel.sphere;
-  sphere.lay = lay_.kind == ASP_LAY_NONE ? NULL : lay_.vector;
-  const asp_key key = {seed_, key_, parcel.key.tag, parcel.key.impact};
+  const asp_particle &sphere = parcel.sphere;
+  const asp_key key = key_of(parcel);
   Hit hit = {};
   asp_error wrong;
   if (asp_wall_impact(wall_.get(), &sphere, parcel.v1, parcel.n, &key, &hit) &&
@@ -105,8 +110,8 @@ Hit PatchWall::hit(const Parcel &parcel, bool with_row) {
 bool PatchWall::removes(const Parcel &parcel, double dt) const {
   asp_particle sphere = parcel.sphere;
   if (asp_description_is_given(words_.get(), "u_tau"))
-    sphere.u_tau = 0;
-  const asp_key key = {seed_, key_, parcel.key.tag, parcel.key.impact};
+    sphere.gas = ASP_GAS_NONE;
+  const asp_key key = key_of(parcel);
   const asp_removal removal = asp_wall_removal(wall_.get(), &sphere, &key);
   return removal.rate * dt > removal.most;
 }
@@ -116,16 +121,17 @@ std::string PatchWall::heading() const {
 }
 
 std::string PatchWall::notes(const Cloud &cloud) {
-  asp_particle largest = {};
+  asp_particle largest = asp_particle();
   largest.d_p = cloud.d_most;
   largest.density = cloud.density;
   largest.pair = asp_wall_pair(wall_.get());
-  const asp_check_input input = {
-      words_.get(),
-      wall_.get(),
-      cloud.d_least,
-      &largest,
-      {asp_description_material(words_.get(), 0), asp_description_material(words_.get(), 1)}};
+  asp_check_input input = asp_check_input();
+  input.words = words_.get();
+  input.wall = wall_.get();
+  input.d_least = cloud.d_least;
+  input.largest = &largest;
+  for (int i = 0; i < 2; i++)
+    input.material[i] = asp_description_material(words_.get(), i);
   std::string all;
   char doubt[480];
   for (int i = 0; asp_warning(&input, i, doubt, sizeof doubt); i++)

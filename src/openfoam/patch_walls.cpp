@@ -190,6 +190,7 @@ double PatchWalls::u_tau(const Parcel &parcel) const {
 
 bool PatchWalls::removes(Parcel &parcel) {
   parcel.sphere.u_tau = u_tau(parcel);
+  parcel.sphere.gas = ASP_GAS_FLOWS;
   if (!of_patch_[parcel.patch]->removes(parcel, mesh_.time().deltaTValue()))
     return false;
   const double mass = parcel.number * parcel.sphere.density * ASP_SPHERE_VOLUME(parcel.sphere.d_p);

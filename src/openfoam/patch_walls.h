@@ -61,12 +61,12 @@ public:
 
 private:
   void check(const Cloud &cloud) const;
+  asp_key key_of(const Parcel &parcel) const;
 
   std::unique_ptr<asp_description, void (*)(asp_description *)> words_;
   std::unique_ptr<asp_wall, void (*)(asp_wall *)> wall_;
-  uint32_t key_, seed_;
-  double temperature_; /* of parcels that have none; 0: unknown */
-  asp_lay lay_;
+  uint32_t key_;
+  double temperature_;         /* of parcels that have none; 0: unknown */
   std::set<std::string> said_; /* doubts */
 };
 

@@ -108,7 +108,7 @@ asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char 
   asp_heights *heights =
       aspi_read(NULL, aspi_word_or_empty(path), is_map, &options, &report, error);
   if (doubt)
-    *doubt = (asp_error){ASP_OK, ""};
+    *doubt = (asp_error){.code = ASP_OK};
   if (*report.warnings)
     aspi_fail(doubt, ASP_EDATA, "%s", report.warnings);
   if (text)

@@ -29,7 +29,10 @@ double aspi_flow_share(const aspi_flow *flow, double d_p, const asp_key *key) {
 }
 
 double aspi_flow_rate(const aspi_flow *flow, const asp_particle *particle, double share) {
-  double u_tau = fabs(particle->u_tau) > 0 ? particle->u_tau : flow->u_tau, nu = flow->viscosity;
+  double u_tau = particle->gas == ASP_GAS_FLOWS  ? particle->u_tau
+                 : particle->gas == ASP_GAS_NONE ? flow->u_tau
+                                                 : 0;
+  double nu = flow->viscosity;
   if (!(flow->density > 0) || !(u_tau > 0) || !particle->pair)
     return 0;
   double r = particle->d_p / 2, in_wall = r * u_tau / nu;
@@ -44,6 +47,7 @@ asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particl
                               const asp_key *key) {
   aspi_stream stream = aspi_stream_begin(key);
   double most = -log(aspi_stream_uniform(&stream));
-  return (asp_removal){aspi_flow_rate(flow, particle, aspi_flow_share(flow, particle->d_p, key)),
-                       most};
+  return (asp_removal){
+      .rate = aspi_flow_rate(flow, particle, aspi_flow_share(flow, particle->d_p, key)),
+      .most = most};
 }

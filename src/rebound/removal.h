@@ -9,7 +9,7 @@
 
 /* A flow along a wall; density 0: no flow. */
 typedef struct aspi_flow {
-  double u_tau;            /* friction velocity; 0: use the particle's */
+  double u_tau;            /* friction velocity where the particle's gas is not known */
   double density;          /* of the gas */
   double viscosity;        /* of the gas, kinematic */
   double adhesion, spread; /* median and geometric sd of the share of a smooth contact's adhesion;

@@ -5,12 +5,22 @@
 #include "base/error.h"
 #include "wall/impact.h"
 
-/* The particle keeps its velocity: the law lacks its pair, or the velocity is not finite.
- */
-static void pass(const asp_particle *particle, const double v1[3], asp_impact *impact) {
+/* No impact: a rebound without hits. */
+static void pass(vec v2, vec omega, asp_impact *impact) {
   *impact = (asp_impact){.outcome = ASP_REBOUND};
-  store(load(v1), impact->v2);
-  store(load(particle->omega), impact->omega);
+  store(v2, impact->v2);
+  store(omega, impact->omega);
+}
+
+static bool is_finite(const asp_particle *particle, const double v1[3], const double n[3]) {
+  const asp_body *body = particle->body;
+  double sum =
+      particle->d_p + particle->temperature + (body ? body->inverse_mass : particle->density);
+  for (int i = 0; i < 3; i++)
+    sum += v1[i] + n[i] + particle->omega[i] + (particle->lay ? particle->lay[i] : 0);
+  for (int i = 0; i < 3 && body; i++)
+    sum += body->lever[i] + body->inverse_inertia[i] + body->inverse_inertia[3 + i];
+  return isfinite(sum);
 }
 
 static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *particle,
@@ -19,14 +29,14 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
   asp_particle own;
   if (!particle->pair && wall->law->needs_pair) {
     if (!wall->pair) {
-      pass(particle, v1, impact);
+      pass(load(v1), load(particle->omega), impact);
       return ASP_EARG;
     }
     own = aspi_with_pair(wall, particle);
     particle = &own;
   }
-  if (!isfinite(v1[0] + v1[1] + v1[2])) {
-    pass(particle, v1, impact);
+  if (!is_finite(particle, v1, n)) {
+    pass((vec){NAN, NAN, NAN}, (vec){NAN, NAN, NAN}, impact);
     return ASP_OK;
   }
   aspi_stream stream = aspi_stream_begin(key);
@@ -46,7 +56,7 @@ asp_code aspi_impact_of_grain(const asp_wall *wall, bool rough, const asp_partic
   asp_wall held;
   const asp_wall *met = aspi_wall_met(wall, particle, key, &held);
   if (!met) {
-    pass(particle, v1, impact);
+    pass(load(v1), load(particle->omega), impact);
     return ASP_ERANGE;
   }
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);

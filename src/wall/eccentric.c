@@ -25,7 +25,7 @@ void aspi_impact_eccentric(const asp_wall *wall, bool rough, const asp_particle 
                            asp_impact *impact) {
   double d = particle->d_p, mass = particle->density * ASP_SPHERE_VOLUME(d);
   double turn = 10 / (mass * d * d);
-  asp_body body = {1 / mass, {turn, turn, turn, 0, 0, 0}, {0, 0, 0}};
+  asp_body body = {.inverse_mass = 1 / mass, .inverse_inertia = {turn, turn, turn, 0, 0, 0}};
   asp_particle own = *particle;
   own.body = &body;
   asp_impact sum = {.hits = 0};

@@ -41,7 +41,7 @@ double asp_wall_face_length(const asp_wall *wall, const asp_particle *particle,
   if (!wall->rough)
     return 0;
   double length = asp_surface_face_length(wall->surface, particle->d_p);
-  if (!particle->lay && !wall->valleys)
+  if (!aspi_lay_of(wall, particle) && !wall->valleys)
     return length;
   aspi_roughness rough = aspi_roughness_of(wall, particle, load(n));
   aspi_heading heading = heading_along(&rough, load(along), load(n));
@@ -57,7 +57,7 @@ static double at_rank(const float *list, size_t n, double share) {
 asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
                            const double along[3], const double n[3], const asp_key *key) {
   if (!wall->rough)
-    return (asp_valley){0, 0, 0, 0};
+    return (asp_valley){.start = 0};
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, load(n));
   aspi_heading heading = heading_along(&rough, load(along), load(n));
@@ -77,5 +77,5 @@ asp_valley asp_wall_valley(const asp_wall *wall, const asp_particle *particle,
   double place = aspi_stream_uniform(&stream);
   if (wall->isotropic)
     rise = 0.5 * height * (1 - cos(2 * ASP_PI * aspi_stream_uniform(&stream)));
-  return (asp_valley){q, height, place, rise};
+  return (asp_valley){.start = q, .height = height, .place = place, .rise = rise};
 }

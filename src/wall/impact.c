@@ -447,19 +447,24 @@ static next_face face_of(const aspi_valley_table *table, aspi_stream *stream, as
  * heights): if the press is a share b < 1 of what holds it there. It comes down on the parabola
  * with p sqrt(12) (1 - b)^(3/2) against the wall, to the first order of 1 - b, which is p at b =
  * 0.56; faster ones meet p. */
-bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle, const double v1[3],
-                             const double n[3], double press, const asp_key *key,
-                             asp_impact *impact) {
+asp_code asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
+                                 const double v1[3], const double n[3], double press,
+                                 const asp_key *key, asp_impact *impact) {
   asp_pair pair;
   asp_wall held;
+  *impact = (asp_impact){.hits = 0};
+  store(load(v1), impact->v2);
+  store(load(particle->omega), impact->omega);
   wall = aspi_wall_met(wall, particle, key, &held);
   if (!wall)
-    return false;
+    return ASP_ERANGE;
   asp_particle own = aspi_as_grain(wall, particle, key, &pair);
   particle = &own;
+  if (!particle->pair && wall->law->needs_pair)
+    return ASP_EARG;
   frame f = frame_of(touching(particle, load(v1)), load(n));
-  if ((!particle->pair && wall->law->needs_pair) || !wall->rough || !has_direction(&f))
-    return false;
+  if (!wall->rough || !has_direction(&f))
+    return ASP_OK;
   vec along = plus(load(v1), f.v_n, f.n);
   aspi_stream stream = aspi_stream_begin(key);
   aspi_roughness rough = aspi_roughness_of(wall, particle, f.n);
@@ -477,7 +482,7 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   else {
     double loose = 1 - press * next.length / (f.v_t * f.v_t * p * next.bend);
     if (!(loose > 0))
-      return false;
+      return ASP_OK;
     p *= fmin(1, sqrt(12) * pow(loose, 1.5));
   }
   aspi_slopes_along slopes = aspi_roughness_along(&rough, heading);
@@ -487,7 +492,7 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   if (!aspi_hit_rebound(wall, particle, &f, on.m, !wall->isotropic, &stream, &spin, &local,
                         &deposit) ||
       !(deposit || local.z > 0))
-    return false;
+    return ASP_OK;
   *impact = (asp_impact){.delta_alpha = on.delta,
                          .tilt_out = tilt_out(wall, &on),
                          .hits = 1,
@@ -496,5 +501,5 @@ bool asp_wall_impact_grazing(const asp_wall *wall, const asp_particle *particle,
   store(deposit ? local : leaving(&f, to_lab(&f, local)), impact->v2);
   store(spin, impact->omega);
   to_center(particle, impact);
-  return true;
+  return ASP_OK;
 }

@@ -21,9 +21,10 @@ aspi_roughness aspi_roughness_of(const asp_wall *wall, const asp_particle *parti
     aspi_surface_sphere_slopes(wall->surface, particle->d_p, rough.slope);
   else
     rough.slope[0] = asp_surface_slope(wall->surface, particle->d_p);
-  if (!particle->lay)
+  const double *own = aspi_lay_of(wall, particle);
+  if (!own)
     return rough;
-  vec lay = load(particle->lay), across = cross(lay, n);
+  vec lay = load(own), across = cross(lay, n);
   double square = dot(across, across);
   if (square > NO_LAY * NO_LAY * dot(lay, lay))
     rough.across = scaled(across, 1 / sqrt(square));

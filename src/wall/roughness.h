@@ -21,6 +21,11 @@ typedef struct aspi_roughness {
   vec across;      /* unit vector along the wall and across its lay; 0 where it has none */
 } aspi_roughness;
 
+/* The lay at a contact; NULL: there is none. */
+static inline const double *aspi_lay_of(const asp_wall *wall, const asp_particle *particle) {
+  return particle->lay || !wall->has_lay ? particle->lay : wall->lay;
+}
+
 /* For a contact at a point of unit normal n. */
 aspi_roughness aspi_roughness_of(const asp_wall *wall, const asp_particle *particle, vec n);
 

@@ -45,7 +45,7 @@ static asp_code make_data(asp_wall *wall, const aspi_wall_choice *choice, asp_er
   const aspi_height_field of = {choice->surface, choice->heights, choice->isotropic};
   aspi_sizes sizes = choice->sizes;
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
-  asp_error wrong = {ASP_OK, ""};
+  asp_error wrong = {.code = ASP_OK};
   wall->data = choice->spread->prepare(&of, &sizes, &wrong);
   if (wall->data && choice->heights && choice->spread->follow)
     wall->valleys = aspi_valleys_create(&of, &sizes, &wrong);
@@ -110,6 +110,9 @@ static asp_code make(asp_wall *wall, const aspi_wall_choice *choice, asp_error *
   wall->follow = wall->data ? spread->follow : NULL;
   wall->has_cross_slope = wall->data && choice->heights && choice->heights->rows > 1;
   wall->isotropic = choice->isotropic || wall->has_cross_slope;
+  wall->has_lay = choice->has_lay;
+  memcpy(wall->lay, choice->lay, sizeof wall->lay);
+  wall->seed = choice->seed;
   wall->multiple = choice->multiple || spread->follow;
   aspi_wall_take_law(wall, choice);
   return code;
@@ -129,6 +132,10 @@ void aspi_wall_replace(asp_wall *wall, asp_wall *by) {
   release(wall);
   *wall = *by;
   free(by);
+}
+
+uint32_t asp_wall_seed(const asp_wall *wall) {
+  return wall->seed;
 }
 
 const asp_surface *asp_wall_surface(const asp_wall *wall) {

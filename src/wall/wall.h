@@ -28,6 +28,9 @@ typedef struct aspi_wall_choice {
   aspi_erosion erosion;
   double lever;   /* sd of the center of mass of grains per axis and diameter; 0: spheres */
   double scatter; /* sd of the logarithm of yield stresses over the material's; 0: all alike */
+  bool has_lay;
+  double lay[3]; /* its direction */
+  uint32_t seed;
   aspi_heat heat;
 } aspi_wall_choice;
 
@@ -60,6 +63,9 @@ struct asp_wall {
   double lever, scatter;
   aspi_heat *heat; /* a copy */
   bool varies;     /* each grain has its own yield stress or adhesion, or its heat counts */
+  bool has_lay;
+  double lay[3];
+  uint32_t seed;
   aspi_wall_heights heights;
 };
 

@@ -28,7 +28,7 @@ static void contacts(void *context, size_t n) {
   for (size_t i = 0; i < n; i++) {
     asp_impact impact;
     unsigned at = c->at++, k = at % ANGLES;
-    asp_wall_impact(c->wall, &grain[k], v1[k], normal[k], &(asp_key){1, 1, at, 1}, &impact);
+    asp_wall_impact(c->wall, &grain[k], v1[k], normal[k], &(asp_key){1, 1, at, 1, 0}, &impact);
     c->sum += impact.v2[2];
   }
 }

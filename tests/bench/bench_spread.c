@@ -56,7 +56,7 @@ static void quantiles(void *context, size_t n) {
 static void draws(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, next(s), 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, next(s), 1, 0});
     double delta;
     aspi_spread_draw(s->model, &s->view, &stream, &delta);
     s->sum += delta;
@@ -121,14 +121,14 @@ static void std_normal(void *context, size_t n) {
 static void first_uniform(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, s->at++, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, s->at++, 1, 0});
     s->sum += aspi_stream_uniform(&stream);
   }
 }
 
 static void next_uniform(void *context, size_t n) {
   sampler *s = context;
-  aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, s->at++, 1});
+  aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, s->at++, 1, 0});
   for (size_t i = 0; i < n; i++)
     s->sum += aspi_stream_uniform(&stream);
 }

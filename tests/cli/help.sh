@@ -101,6 +101,12 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 grep -q "cannot write '/nowhere/x.csv'" err || die "trade -o is checked before work begins: $(cat err)"
 refuses 1 "cannot write '/nowhere/p.csv'" -- surface surface rq 5um lambda_c 40um --save /nowhere/p.csv
 refuses 2 "--output and --save are both 'p.csv'" -- surface surface rq 5um lambda_c 40um -o p.csv --save p.csv
+mkdir -p folder && ln -sf . here
+for other in ./p.png folder/../p.png here/p.png "$PWD/p.png"; do
+  refuses 2 "--output and --plot are both 'p.png'" -- cor surface sigma 5 --samples 2 -o "$other" --plot p.png
+done
+echo 'alpha1_deg,cor_n,cor_t' > read.csv
+refuses 2 "--output is 'here/../$(basename "$PWD")/read.csv', which is read" -- compare read.csv -o "here/../$(basename "$PWD")/read.csv"
 refuses 2 "--save is '-'" -- surface surface rq 5um lambda_c 40um --save -
 "$asperity" surface surface rq 5um lambda_c 40um --points 8192 --save - -o slopes.csv | "$asperity" surface surface profile /dev/stdin --dp 10um > piped
 grep -q '8192 points read' piped && [ -s slopes.csv ] || die "surface --save - in a pipe"

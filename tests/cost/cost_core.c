@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analysis/compare.h"
 #include "gauss_map.h"
 #include "spread/models.h"
 #include "surface/heights.h"
@@ -40,7 +41,7 @@ static void contacts(const asp_wall *wall, int count) {
     const double v[3] = {100 * cos(angle(i)), 0, -100 * sin(angle(i))};
     asp_impact impact;
     count_on();
-    asp_wall_impact(wall, &grain, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+    asp_wall_impact(wall, &grain, v, n, &(asp_key){1, 1, (uint64_t)i, 1, 0}, &impact);
     count_off();
   }
 }
@@ -91,7 +92,7 @@ static void count_draws(const asp_spread_model *model, const aspi_height_field *
     view.alpha1 = angle(i);
     double delta;
     count_on();
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, (uint64_t)i, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, (uint64_t)i, 1, 0});
     aspi_spread_draw(model, &view, &stream, &delta);
     count_off();
   }
@@ -151,6 +152,49 @@ static void count_parses(void) {
   count_end("description, parsed", PARSES);
 }
 
+/* ---- two files of impacts ---- */
+
+/* As a ledger of a curved wall: no two impacts are alike. */
+static aspi_scatter impacts_of(uint32_t seed, size_t count) {
+  aspi_scatter s = {.rows = calloc(count, sizeof *s.rows), .count = count, .has_outcome = true};
+  aspi_stream stream = aspi_stream_begin(&(asp_key){seed, 1, 1, 1, 0});
+  for (size_t i = 0; i < count && s.rows; i++) {
+    aspi_scatter_row *row = &s.rows[i];
+    *row = (aspi_scatter_row){.degrees = 5 + 40 * ((double)i + 0.5) / (double)count,
+                              .v1 = 50 + 50 * aspi_stream_uniform(&stream),
+                              .d_p = D_P,
+                              .rows = 1};
+    row->least = row->most = row->degrees;
+    row->cor[COR_N] = aspi_stream_uniform(&stream);
+    row->cor[COR_T] = aspi_stream_uniform(&stream);
+    row->cor[REBOUND_ANGLE] = NAN;
+  }
+  return s;
+}
+
+static void count_compared(const char *what, size_t rows) {
+  const aspi_compare_reach far = {1, 0.1, 0.1};
+  aspi_comparison c = {.impacts = impacts_of(1, rows), .data = impacts_of(2, rows)};
+  asp_error error;
+  aspi_grouping grouping;
+  check(c.impacts.rows && c.data.rows, &error);
+  count_begin();
+  count_on();
+  asp_code code = aspi_compare_grouping(&c.data, &far, &grouping, &error);
+  c.impacts.grouping = &grouping;
+  for (size_t i = 0; i < rows && !code; i++)
+    aspi_scatter_key(&c.impacts, &c.impacts.rows[i]);
+  if (!code && !(code = aspi_compare_make_bins(&c, 5, false, &error)))
+    code = aspi_compare_fill(&c, &far, &error);
+  count_off();
+  count_end(what, (double)rows);
+  check(!code, &error);
+  aspi_compare_grouping_free(&grouping);
+  free(c.bins);
+  free(c.impacts.rows);
+  free(c.data.rows);
+}
+
 int main(void) {
   asp_error error;
   const gauss_wall gauss = {R_Q, LAMBDA_C, LAMBDA_C, 0};
@@ -177,6 +221,8 @@ int main(void) {
     count_draws(asp_spread_at(i), &(aspi_height_field){surface, NULL, false});
   count_profile();
   count_parses();
+  count_compared("two files of 2500 impacts, a row", 2500);
+  count_compared("two files of 20000 impacts, a row", 20000);
 
   asp_heights_free(map);
   asp_heights_free(profile);

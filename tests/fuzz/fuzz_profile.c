@@ -55,7 +55,7 @@ static void check_map(const asp_heights *map) {
     if (!isfinite(map->z[i]))
       fail("a height that is not a number");
   asp_heights_numbers numbers;
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   if (points <= 256 && asp_heights_describe(map, &numbers, &error) && !*error.text)
     fail("a map that cannot be described");
 }
@@ -94,14 +94,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     return 0;
   aspi_profile_options options = options_of(*data);
   aspi_profile_report report;
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_heights *profile = aspi_read(stream, "fuzz", false, &options, &report, &error);
   if (profile)
     check_profile(profile);
   else if (error.code == ASP_OK || !*error.text)
     fail("neither a profile nor an error");
   asp_heights_free(profile);
-  error = (asp_error){ASP_OK, ""};
+  error = (asp_error){.code = ASP_OK};
   asp_heights *map = read_map(stream, &options, &error);
   if (map)
     check_map(map);

@@ -35,7 +35,7 @@ static bool is_row_of(const asp_wall *wall, const asp_particle *particle, uint32
                       const char *name, const double *row) {
   const double degrees = 180 / ASP_PI;
   const asp_key key = {seed, asp_key_wall(name), (uint64_t)row[LEDGER_TAG],
-                       (uint32_t)row[LEDGER_IMPACT]};
+                       (uint32_t)row[LEDGER_IMPACT], 0};
   asp_impact impact;
   asp_wall_impact(wall, particle, row + LEDGER_V1X, row + LEDGER_NX, &key, &impact);
   const double *omega = row + LEDGER_OMEGA2X, v1 = row[LEDGER_V1];

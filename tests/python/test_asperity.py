@@ -179,7 +179,7 @@ class Walls(unittest.TestCase):
                                    (r"d_p of impact 0 is inf", (0, 0, -1), {"d_p": np.inf}),
                                    (r"d_p is 20; this wall's size law", (0, 0, -1), {"d_p": 20}),
                                    (r"temperature of impact 0 is nan", (0, 0, -1), {"temperature": np.nan}),
-                                   (r"u_tau of impact 0 is -1; it must be >= 0", (0, 0, -1), {"u_tau": -1}),
+                                   (r"d_p has the shape \(3,\); it must be one value or \(2,\)", [(0, 0, -1)] * 2, {"d_p": [1e-5] * 3}),
                                    (r"lay of impact 0 is nan", (0, 0, -1), {"lay": (np.nan, 0, 0)}),
                                    (r"inverse_mass of the body of impact 0 is 0; it must be > 0", (0, 0, -1),
                                     {"body": np.zeros((), asperity.BODY)}),

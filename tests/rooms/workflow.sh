@@ -22,6 +22,10 @@ done <<< "$words"
 paths=$(sed -nE 's/^([^#]* )?((\.ci|cmake|tests)\/[a-z0-9_\/.]+).*/\2/p' .ci/* .github/workflows/*.yml)
 [ "$(wc -w <<< "$paths")" -ge 8 ] || say "only the scripts $paths were found"
 while read -r path; do [ -x "$path" ] || [[ -e $path && $path == *.sh ]] || say "the workflow has '$path', which is no script"; done <<< "$paths"
+# Each test of this build has a row in the table of tests.
+while read -r name; do
+  grep -qF "\`$name\`" tests/README.md || say "tests/README.md has no row for the test '$name'"
+done < <(ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p')
 launching=$(find examples tests .ci \( -name run -o -name '*.sh' \) -not -path '*/rooms/*' -exec grep -lE '(mpirun|timeout|launch).*(-asperity|program|lmp)"' {} +)
 [ "$(wc -w <<< "$launching")" -ge 17 ] || say "only the scripts $launching start an engine"
 for script in $launching; do

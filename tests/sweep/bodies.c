@@ -43,7 +43,7 @@ static shape random_axes(aspi_stream *s) {
 }
 
 static asp_body body_of(const shape *b, vec lever) {
-  asp_body body = {1 / b->mass, {0}, {lever.x, lever.y, lever.z}};
+  asp_body body = {1 / b->mass, {0}, {lever.x, lever.y, lever.z}, {0}};
   for (int i = 0; i < 3; i++) {
     vec a = b->axes[i];
     double parts[6] = {a.x * a.x, a.y * a.y, a.z * a.z, a.x * a.y, a.x * a.z, a.y * a.z};
@@ -64,7 +64,7 @@ static const double up[3] = {0, 0, 1};
 
 static long gains(const char *text, long count) {
   asp_wall *wall = wall_of(text);
-  aspi_stream s = aspi_stream_begin(&(asp_key){4, asp_key_wall(text), 1, 1});
+  aspi_stream s = aspi_stream_begin(&(asp_key){4, asp_key_wall(text), 1, 1, 0});
   long wrong = 0, met = 0;
   double start = (double)clock() / CLOCKS_PER_SEC, worst = 0;
   for (long i = 0; i < count; i++) {
@@ -87,7 +87,7 @@ static long gains(const char *text, long count) {
         .d_p = power_of_ten(&s, -2, 0), .omega = {w.x, w.y, w.z}, .body = &body};
     asp_impact impact;
     asp_wall_impact(wall, &particle, (double[3]){v.x, v.y, v.z}, up,
-                    &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+                    &(asp_key){1, 1, (uint64_t)i, 1, 0}, &impact);
     vec v2 = load(impact.v2), w2 = load(impact.omega), u2 = plus(v2, 1, cross(w2, lever));
     double gain = energy_of(&b, v2, w2) / energy_of(&b, v, w) - 1;
     worst = fmax(worst, gain);
@@ -133,7 +133,7 @@ static bool in_equilibrium(bool rod, double sigma, long count) {
   char text[100];
   snprintf(text, sizeof text, "surface sigma %g rebound constant 1 1 deposit off", sigma);
   asp_wall *wall = wall_of(text);
-  aspi_stream s = aspi_stream_begin(&(asp_key){6, rod, 1, 1});
+  aspi_stream s = aspi_stream_begin(&(asp_key){6, rod, 1, 1, 0});
   mean flight = {0}, first = {0}, second = {0};
   for (long i = 0; i < count; i++) {
     shape b = random_axes(&s);
@@ -151,7 +151,7 @@ static bool in_equilibrium(bool rod, double sigma, long count) {
     asp_particle particle = {.d_p = 1, .omega = {w.x, w.y, w.z}, .body = &body};
     asp_impact impact;
     asp_wall_impact(wall, &particle, (double[3]){v.x, v.y, v.z}, up,
-                    &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+                    &(asp_key){1, 1, (uint64_t)i, 1, 0}, &impact);
     vec v2 = load(impact.v2), u2 = plus(v2, 1, cross(load(impact.omega), lever));
     double c2 = cosine2(&body, u2);
     add(&flight, -u.z, 0.25 * (dot(v2, v2) - dot(v, v))); /* of 2, the mean at the wall */

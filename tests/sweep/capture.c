@@ -47,7 +47,7 @@ static void shoot(const char *what, const asp_wall *wall, double d_p, double spe
   double count = 0;
   for (int i = 0; i < samples; i++) {
     asp_impact impact;
-    asp_wall_impact(wall, &particle, v, n, &(asp_key){1, 1, (uint64_t)i, 1}, &impact);
+    asp_wall_impact(wall, &particle, v, n, &(asp_key){1, 1, (uint64_t)i, 1, 0}, &impact);
     count += impact.outcome == ASP_DEPOSIT;
   }
   tell(what, count / samples, sqrt(count * (1 - count / samples)) / samples);

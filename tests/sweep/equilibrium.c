@@ -56,7 +56,7 @@ static double *rebounds(const char *spread, bool plane, double sigma, double d_p
     double along = plane ? 2 * u - 1 : sqrt(1 - u);
     double v1[3] = {along, 0, -sqrt(1 - along * along)};
     asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, normal, &(asp_key){1, 1, i + 1, 1}, &impact);
+    asp_wall_impact(wall, &particle, v1, normal, &(asp_key){1, 1, i + 1, 1, 0}, &impact);
     const double *v2 = impact.v2;
     out[i] = plane ? 0.5 * (1 + v2[0]) : v2[2] * v2[2];
   }
@@ -78,9 +78,8 @@ static double grazing(const double *out, size_t n) {
   return count / (0.001 * (double)n);
 }
 
-static const char *const models[] = {"normal",  "rejection", "truncated",
-                                     "weibull", "effective", "visible",
-                                     "profile", "traced"};
+static const char *const models[] = {"normal",    "rejection", "truncated", "weibull",
+                                     "effective", "visible",   "profile",   "traced"};
 static const struct {
   const char *words;
   bool plane;

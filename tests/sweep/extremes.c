@@ -379,7 +379,7 @@ static bool explain(const combination *a, const asp_impact *x, const combination
 
 /* One combination; false when something is wrong with it. */
 static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
-  aspi_stream s = aspi_stream_begin(&(asp_key){seed, 1, number, 0});
+  aspi_stream s = aspi_stream_begin(&(asp_key){seed, 1, number, 0, 0});
   combination c = {.number = number};
   asp_impact here, there;
   at_work = &c;
@@ -387,7 +387,7 @@ static bool sweep_one(uint32_t seed, uint64_t number, tally *t) {
   choose_particle(&s, &c);
   choose_velocity(&s, &c);
   choose_spin(&s, &c);
-  c.key = (asp_key){seed, 2, number, 1};
+  c.key = (asp_key){seed, 2, number, 1, 0};
   combination d = c;
   bool far = one_of(&s, 4) == 0;
   change(&s, &d, far ? CHANGE_FAR : CHANGE);

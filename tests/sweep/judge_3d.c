@@ -191,14 +191,14 @@ static asp_code fly_both_ways(const surfaces *subject, uint32_t seed, const doub
 asp_code judge_in_space(aspi_judge *judge, const surfaces *subject, const double *degrees,
                         size_t count, asp_error *error) {
   size_t groups = subject->groups;
-  asp_error worst = {ASP_OK, ""};
+  asp_error worst = {.code = ASP_OK};
   *judge = (aspi_judge){.groups = groups, .count = count};
   judge->angles = calloc(groups * count, sizeof *judge->angles);
   if (!judge->angles)
     return aspi_fail(error, ASP_ENOMEM, "out of memory for a judge of %zu groups", groups);
 #pragma omp parallel for schedule(dynamic)
   for (size_t g = 0; g < groups; g++) {
-    asp_error own = {ASP_OK, ""};
+    asp_error own = {.code = ASP_OK};
     fly_both_ways(subject, subject->seed + (uint32_t)g, degrees, count, judge->angles + g * count,
                   &own);
 #pragma omp critical

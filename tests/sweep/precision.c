@@ -167,7 +167,7 @@ static void choose_parameters(aspi_stream *s, const asp_rebound_law *law, double
 static void measure(uint32_t seed, long count, table *normal, table *tangential) {
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (long i = 0; i < count; i++) {
-    aspi_stream s = aspi_stream_begin(&(asp_key){seed, 3, (uint64_t)i, 0});
+    aspi_stream s = aspi_stream_begin(&(asp_key){seed, 3, (uint64_t)i, 0, 0});
     double p[ASP_PARAMETERS_MAX] = {0};
     choose_parameters(&s, law, p);
     double speed = power_of_ten(&s, -9, 5), alpha = ASP_PI / 2 * power_of_ten(&s, -15, 0);
@@ -198,7 +198,7 @@ static void measure(uint32_t seed, long count, table *normal, table *tangential)
 static void measure_thornton_ning(uint32_t seed, long count, table *normal) {
   const asp_rebound_law *law = asp_rebound_find("thornton_ning", NULL);
   for (long i = 0; i < count; i++) {
-    aspi_stream s = aspi_stream_begin(&(asp_key){seed, 5, (uint64_t)i, 0});
+    aspi_stream s = aspi_stream_begin(&(asp_key){seed, 5, (uint64_t)i, 0, 0});
     const double p[ASP_PARAMETERS_MAX] = {between(&s, 0.1, 10)};
     asp_pair pair = random_pair(&s);
     aspi_hit hit = {.v_n1 = power_of_ten(&s, -9, 5),

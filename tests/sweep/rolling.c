@@ -49,7 +49,7 @@ static asp_heights *extruded(const asp_heights *profile, double apart, asp_error
 }
 
 static asp_heights *wall_of(const row *r, uint32_t seed) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   double r_q = r->slope_rms / sqrt(2), step = 1. / RESOLUTION;
   asp_heights *map;
   if (r->dimensions == 3)
@@ -107,7 +107,7 @@ static void step(sphere *s, const asp_heights *map) {
 /* Mean speed along the slope in the last half of the motion; NAN: it stopped. */
 static double roll(const row *r, const asp_wall *law, uint32_t seed) {
   asp_heights *map = wall_of(r, seed);
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   aspi_ball *ball = aspi_ball_create(map, r->d_p, &error);
   must(ball, &error);
   double angle = r->angle * ASP_PI / 180, x_checked = 0, next = STOP_TIME, x_half = 0, half = 0;
@@ -140,7 +140,7 @@ static bool compute(const row *r, int walls) {
   char text[200];
   snprintf(text, sizeof text, "surface sigma 1 rebound walton %.17g %.17g 0 deposit off", r->e,
            r->mu);
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_wall *law = asp_wall_from_text(text, r->d_p, r->d_p, &error);
   must(law, &error);
   aspi_running speed = {0, 0, 0};

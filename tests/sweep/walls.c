@@ -122,7 +122,7 @@ static aspi_angles fly(const asp_wall *wall, double d_p, double alpha1, size_t n
   for (size_t i = 0; i < n; i++) {
     asp_particle particle = {.d_p = d_p, .density = 1};
     asp_impact impact;
-    asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, i, 1}, &impact);
+    asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, i, 1, 0}, &impact);
     aspi_angles_add(&all, impact.v2, impact.delta_alpha, impact.hits);
   }
   return all;

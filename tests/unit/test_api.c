@@ -135,9 +135,10 @@ static void walk_wall(const asp_wall *wall) {
   asp_error error;
   asp_impact impact;
   asp_coefficients coefficients;
-  const asp_key key = {1, 1, 1, 1};
+  const asp_key key = {1, 1, 1, 1, 0};
   const double lay[3] = {1, 0, 0};
   bool lacks = wall->law->needs_pair && !asp_wall_pair(wall);
+  assert_true(asp_wall_seed(wall) >= 1);
   assert_non_null(asp_spread_name(asp_wall_spread(wall)));
   walk_surface(asp_wall_surface(wall));
   for (int k = 0; k < ODD; k++)
@@ -207,7 +208,7 @@ static void descriptions_and_walls(void **state) {
       "surface map no.sdf dp_bins 1 rebound constant 0.9 0.9",
       "deposit freeze remove gas_density 1.2 gas_viscosity 1.5e-5 u_tau 2",
       "friction 0.4 surface_energy 0.1 materials quartz"};
-  const asp_units unknown = {NULL, 0, 0, 0};
+  const asp_units unknown = {.name = NULL};
   asp_error error;
   enum { SIDE = 32 };
   static double heights[SIDE * SIDE];

@@ -21,7 +21,7 @@ typedef struct point {
 
 static asp_wall *wall_of(const char *law) {
   char text[200];
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   snprintf(text, sizeof text, "rebound %s deposit off", law);
   asp_wall *wall = asp_wall_from_text(text, 0, 0, &error);
   if (!wall)
@@ -35,7 +35,7 @@ static asp_impact impact_of(const asp_wall *wall, double v_t, double v_n, double
   asp_particle sphere = {.d_p = 2, .density = 1, .omega = {0, -spin, 0}};
   double v1[3] = {v_t, 0, -v_n}, n[3] = {0, 0, 1};
   asp_impact impact;
-  asp_wall_impact(wall, &sphere, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall, &sphere, v1, n, &(asp_key){1, 1, 1, 1, 0}, &impact);
   return impact;
 }
 

@@ -8,11 +8,11 @@
 
 #include <stdlib.h>
 
-static const asp_units si = {"SI", 1, 1, 1}, micro = {"'units micro'", 1e6, 1e15, 1e6},
-                       lj = {"'units lj'; units must be si", 0, 0, 0};
+static const asp_units si = {"SI", 1, 1, 1, {0}}, micro = {"'units micro'", 1e6, 1e15, 1e6, {0}},
+                       lj = {"'units lj'; units must be si", 0, 0, 0, {0}};
 
 static asp_description *parse(const char *text, const asp_units *units) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_description *d = asp_description_parse(text, units, &error);
   if (!d)
     print_error("%s\n%s\n", text, error.text);
@@ -286,7 +286,7 @@ static void texts_go_round(void **state) {
 /* ---- what is refused ---- */
 
 static void refuses(const char *text, const char *first, const char *second) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_description *wall = asp_description_parse(text, &si, &error);
   if (wall || !strstr(error.text, first) || !strstr(error.text, second))
     print_error("%s: %s\n", text, wall ? "accepted" : error.text);
@@ -319,6 +319,8 @@ static void misplaced_words_are_sent_home(void **state) {
   refuses("sigma 5", "'sigma' belongs behind 'surface'", "surface sigma ANGLE");
   refuses("surface sigma 5 collisions single", "'collisions' belongs behind 'spread'",
           "spread MODEL collisions");
+  refuses("surface rq 5um lamda_c 40um", "'lamda_c' is unknown; did you mean 'lambda_c'?", "");
+  refuses("deposit freeze remove gas_densty 1.2", "did you mean 'gas_density'?", "");
   refuses("friction 0.3 u_tau 2", "'u_tau' belongs behind 'remove'", "");
   refuses("surface smooth map 100", "'map' has no place here behind 'surface'", "surface map FILE");
   refuses("materials quartz steel collisions multiple", "'collisions' belongs behind 'spread'", "");
@@ -565,7 +567,7 @@ static void doubts(char text[1500], const char *description, double d_p, double 
   asp_material_set(p, "yield_stress", 200e6, NULL);
   asp_pair *pair = asp_description_pair(wall, p, w, NULL);
   asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
-  ask(text, &(asp_check_input){wall, NULL, 0, &particle, {p, w}});
+  ask(text, &(asp_check_input){wall, NULL, 0, &particle, {p, w}, {0}});
   asp_pair_free(pair);
   asp_material_free(p);
   asp_material_free(w);
@@ -659,7 +661,7 @@ static void odd_numbers_are_doubted(void **state) {
   for (size_t i = 0; i < 2 * sizeof all / sizeof *all; i++) {
     const asp_particle particle = {.d_p = i % 2 ? 10e-6 : 0};
     asp_description *d = parse(all[i / 2][0], &si);
-    ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}});
+    ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}, {0}});
     if (!strstr(text, all[i / 2][1 + i % 2]) || strchr(text, '\n') != strrchr(text, '\n'))
       fail_msg("%s: %s", all[i / 2][0], text);
     asp_description_free(d);
@@ -667,7 +669,7 @@ static void odd_numbers_are_doubted(void **state) {
   const asp_particle particle = {.d_p = 10e-6};
   asp_description *d =
       parse("surface rq 5um lambda_c 40um friction 0.5 erosion oka 1.8GPa density 7800", &si);
-  ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, NULL, 0, &particle, {NULL, NULL}, {0}});
   assert_string_equal(text, "");
   asp_description_free(d);
 }
@@ -695,7 +697,7 @@ static asp_description *parse_fit(const char *text, asp_error *error) {
 
 static void check_fit(const char *text, const char *canonical) {
   char is[1000];
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_description *wall = parse_fit(text, &error);
   if (!wall)
     print_error("%s: %s\n", text, error.text);
@@ -730,7 +732,7 @@ static void numbers_may_be_unknown(void **state) {
              {"seed fit", "seed is 'fit'", "number"},
              {"rebound walton fit fit 0 friction fit", "'friction' has no effect", "walton"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    asp_error error = {ASP_OK, ""};
+    asp_error error = {.code = ASP_OK};
     assert_null(parse_fit(bad[i].text, &error));
     if (!strstr(error.text, bad[i].first) || !strstr(error.text, bad[i].second))
       print_error("%s: %s\n", bad[i].text, error.text);
@@ -782,11 +784,11 @@ static void coarse_files_are_doubted(void **state) {
   asp_wall *wall = asp_wall_create(d, 5e-6, 20e-6, NULL);
   const asp_particle largest = {.d_p = 20e-6};
   char text[1500];
-  ask(text, &(asp_check_input){d, wall, 20e-6, &largest, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, wall, 20e-6, &largest, {NULL, NULL}, {0}});
   assert_string_equal(text, "");
-  ask(text, &(asp_check_input){d, wall, 5e-6, &largest, {NULL, NULL}});
+  ask(text, &(asp_check_input){d, wall, 5e-6, &largest, {NULL, NULL}, {0}});
   assert_ptr_equal(strstr(text, "surface profile fine.csv: "), text);
-  ask(text, &(asp_check_input){d, NULL, 5e-6, &largest, {NULL, NULL}}); /* it is the wall's */
+  ask(text, &(asp_check_input){d, NULL, 5e-6, &largest, {NULL, NULL}, {0}}); /* it is the wall's */
   assert_string_equal(text, "");
   asp_wall_free(wall);
   asp_description_free(d);
@@ -809,6 +811,46 @@ static void files_that_fail_have_their_code(void **state) {
     assert_int_equal(error.code, codes[k]);
   }
   remove(files[1]);
+}
+
+/* The log's lines: of the surface, and of the speeds at which particles yield and stick. */
+static void walls_are_reported(void **state) {
+  (void)state;
+  asp_description *d = parse("surface rq 5um lambda_c 40um 90um lay 1 0 0 materials quartz 304-ss "
+                             "rebound bons temperature 1200",
+                             NULL);
+  asp_wall *wall = asp_wall_create(d, 0, 0, NULL);
+  asp_particle largest = {.d_p = 20e-6, .density = 2650};
+  asp_check_input input = {.words = d, .wall = wall, .d_least = 10e-6, .largest = &largest};
+  char text[1000], some[10];
+  size_t length = asp_wall_report(&input, text, sizeof text);
+  assert_int_equal(length, strlen(text));
+  assert_int_equal(asp_wall_report(&input, some, sizeof some), length);
+  assert_memory_equal(some, text, sizeof some - 1);
+  assert_non_null(
+      strstr(text, "\n  R_q 5e-06, lambda_c 4e-05, Phi_R 0.125, sigma 10.02 deg before"));
+  assert_non_null(strstr(text, ", lambda_c along the lay 9e-05, spread visible isotropic, collis"));
+  assert_non_null(strstr(text, "\n  d_p 1e-05: tilt of sigma "));
+  assert_non_null(strstr(text, "\n  d_p 2e-05: tilt of sigma "));
+  assert_non_null(strstr(text, "1200 K the yield stress is 0.775 of that when cold"));
+  largest.pair = asp_wall_pair(wall);
+  double capture, yields;
+  asp_wall_report(&input, text, sizeof text);
+  assert_int_equal(sscanf(text, " yields above %lf along the normal, d_p 1e-05 sticks below %lf",
+                          &yields, &capture),
+                   2);
+  double modulus = asp_pair_get(largest.pair, "modulus"),
+         stress = asp_pair_get(largest.pair, "yield_stress");
+  assert_near(yields / (0.775 * stress / sqrt(2650 * modulus)), 1, 1e-3);
+  for (int i = 0; i < 2; i++) { /* just above it, and below */
+    asp_particle grain = {.d_p = 10e-6, .density = 2650};
+    asp_impact impact;
+    const double n[3] = {0, 0, 1}, v1[3] = {0, 0, -capture * (i ? 0.99 : 1.01)};
+    asp_wall_impact_mean(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1, 0}, &impact);
+    assert_int_equal(impact.outcome, i ? ASP_DEPOSIT : ASP_REBOUND);
+  }
+  asp_wall_free(wall);
+  asp_description_free(d);
 }
 
 int main(void) {
@@ -834,6 +876,7 @@ int main(void) {
       cmocka_unit_test(coarse_files_are_doubted),
       cmocka_unit_test(numbers_may_be_unknown),
       cmocka_unit_test(unknown_numbers_are_set),
+      cmocka_unit_test(walls_are_reported),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,7 +25,7 @@ static double worn(const char *words, const asp_units *units, double v, double a
     fail_msg("%s", error.text);
   const double a = alpha * ASP_PI / 180, v1[3] = {v * cos(a), 0, -v * sin(a)}, n[3] = {0, 0, 1};
   const asp_particle particle = {.d_p = d, .density = 2650};
-  const asp_key key = {1, 2, tag, 1};
+  const asp_key key = {1, 2, tag, 1, 0};
   asp_impact impact;
   asp_wall_impact(wall, &particle, v1, n, &key, &impact);
   asp_wall_free(wall);
@@ -118,7 +118,7 @@ static void kinds_have_their_constants(void **state) {
 }
 
 static void units_do_not_matter(void **state) {
-  static const asp_units cgs = {"cgs", 100, 1000, 1};
+  static const asp_units cgs = {"cgs", 100, 1000, 1, {0}};
   const char *words[] = {"erosion oka 1.8GPa density 7850kg/m3" WALTON,
                          "erosion finnie 800MPa density 7850kg/m3" WALTON};
   for (int i = 0; i < 2; i++)
@@ -153,7 +153,7 @@ static void words_are_checked(void **state) {
       {"erosion oka 1GPa wall brass density 7800" WALTON, "aluminum"},
       {"erosion dnv density 7800 face steep" WALTON, "mean | tilted"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    asp_error error = {ASP_OK, ""};
+    asp_error error = {.code = ASP_OK};
     assert_null(asp_description_parse(bad[i][0], NULL, &error));
     if (!strstr(error.text, bad[i][1]))
       fail_msg("'%s' says '%s'", bad[i][0], error.text);

@@ -71,7 +71,7 @@ static int count_stuck(const asp_wall *wall, const asp_wall *cold, double kelvin
   int stuck = 0;
   for (uint64_t i = 0; i < IMPACTS; i++) {
     asp_particle one = {.d_p = 1e-5, .density = 2650, .temperature = kelvin, .body = body};
-    const asp_key key = {1, asp_key_wall("hot"), i, 1};
+    const asp_key key = {1, asp_key_wall("hot"), i, 1, 0};
     asp_impact impact, other;
     assert_int_equal(asp_wall_impact(wall, &one, v, up, &key, &impact), ASP_OK);
     assert_int_equal(asp_wall_impact(cold, &one, v, up, &key, &other), ASP_OK);
@@ -97,7 +97,7 @@ static void sticks_with_that_share(void **state) {
       "rebound walton 0.8 0.3 0", "surface rq 5e-6 lambda_c 40e-6 rebound walton 0.8 0.3 0",
       "surface rq 5e-6 lambda_c 40e-6 rebound bons materials quartz hastelloy-x surface_energy 0"};
   const double mass = ASP_PI / 6 * 2650 * 1e-15, turn = 10 / (mass * 1e-10);
-  const asp_body body = {1 / mass, {turn, turn, turn, 0, 0, 0}, {1e-6, 0, 2e-6}};
+  const asp_body body = {1 / mass, {turn, turn, turn, 0, 0, 0}, {1e-6, 0, 2e-6}, {0}};
   char text[300];
   for (size_t w = 0; w < sizeof walls / sizeof *walls; w++)
     for (int k = 0; k < 4; k++) {
@@ -118,7 +118,7 @@ static void unknown_is_an_error(void **state) {
   asp_wall *wall =
       wall_of("rebound walton 0.8 0.3 0 deposit freeze viscosity critical 1e4 vft -4.5 "
               "9000 500");
-  const asp_key key = {1, 2, 3, 4};
+  const asp_key key = {1, 2, 3, 4, 0};
   const double v[3] = {1, 0, -1}, none[] = {0, 400};
   asp_impact impact;
   asp_error error;
@@ -188,7 +188,7 @@ static void modulus_of_el_batsh(void **state) {
     assert_near(found, 0.83 * v, 0.01 * v);
     for (int fast = 0; fast < 2; fast++) {
       const double v1[3] = {0, 0, -found * (fast ? 1.001 : 0.999)};
-      const asp_key key = {1, 2, 3, 4};
+      const asp_key key = {1, 2, 3, 4, 0};
       asp_impact impact;
       assert_int_equal(asp_wall_impact(wall, &grain, v1, up, &key, &impact), ASP_OK);
       assert_int_equal(impact.outcome, fast ? ASP_REBOUND : ASP_DEPOSIT);

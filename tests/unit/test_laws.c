@@ -54,7 +54,7 @@ static void grant_tabakoff_scatter(void **state) {
   double b = M_PI / 3, mean = 0, square = 0;
   double sd = 2.15 * b - 5.02 * b * b + 4.05 * b * b * b - 1.085 * b * b * b * b;
   for (uint64_t i = 1; i <= N; i++) {
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, i, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, i, 1, 0});
     double e_n = bounce_of("grant_tabakoff", all, NULL, 60, 1, &stream).v_n2 / sin(b), step;
     assert_true(e_n > 0);
     step = e_n - mean;
@@ -158,7 +158,7 @@ static void table_law_looks_up(void **state) {
   asp_particle grain = {.d_p = 1e-4, .density = 2650, .pair = NULL};
   double v1[3] = {10 * cos(0.6), 0, -10 * sin(0.6)}, n[3] = {0, 0, 1};
   asp_impact impact;
-  asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall, &grain, v1, n, &(asp_key){1, 1, 1, 1, 0}, &impact);
   assert_near(impact.v2[2], 6 * sin(0.6), 1e-14);
   assert_near(impact.v2[0], 7.5 * cos(0.6), 1e-14);
   asp_wall_free(wall);

@@ -40,7 +40,7 @@ static asp_impact meet(const setup *s, double d_p, double alpha1, double psi, ui
   double lay[3] = {-sin(psi), cos(psi), 0.3}, v1[3] = {cos(alpha1), 0, -sin(alpha1)};
   asp_particle grain = {.d_p = d_p, .density = 1, .lay = lay};
   asp_impact impact;
-  asp_wall_impact(s->wall, &grain, v1, up, &(asp_key){3, 1, tag, 1}, &impact);
+  asp_wall_impact(s->wall, &grain, v1, up, &(asp_key){3, 1, tag, 1, 0}, &impact);
   return impact;
 }
 
@@ -217,7 +217,7 @@ static void ridges_push_across_their_lay(void **state) {
   for (uint64_t tag = 1; tag <= 2000; tag++) {
     const double turn = 0.1 * (double)tag, v1[3] = {0.9 * cos(turn), 0.9 * sin(turn), -0.4};
     asp_impact impact;
-    asp_wall_impact(wall, &grain, v1, up, &(asp_key){1, 1, tag, 1}, &impact);
+    asp_wall_impact(wall, &grain, v1, up, &(asp_key){1, 1, tag, 1, 0}, &impact);
     const double x = impact.v2[0] - v1[0], y = impact.v2[1] - v1[1];
     along += fabs(lay[0] * x + lay[1] * y);
     across += fabs(lay[0] * y - lay[1] * x);

@@ -93,8 +93,8 @@ static void messages(void **state) {
   assert_non_null(strstr(error.text, "rq is -1.5"));
   const asp_particle largest = {.d_p = 1.25e-5};
   char text[500] = "";
-  for (int i = 0; !*text && asp_warning(&(asp_check_input){d, NULL, 0, &largest, {NULL, NULL}}, i,
-                                        text, sizeof text);
+  for (int i = 0; !*text && asp_warning(&(asp_check_input){d, NULL, 0, &largest, {NULL, NULL}, {0}},
+                                        i, text, sizeof text);
        i++)
     ;
   assert_non_null(

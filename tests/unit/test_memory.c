@@ -185,7 +185,7 @@ enum { SUCCEEDED, NO_MEMORY, OTHER_CODE, NO_MESSAGE };
 #define NEVER (1L << 40)
 
 static int outcome_of(entry call, long first, long last) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   first_bad = first;
   last_bad = last;
   seen = 0;

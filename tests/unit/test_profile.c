@@ -153,7 +153,7 @@ static asp_heights *read_bytes(const char *bytes, size_t length,
   assert_true(file >= 0);
   assert_int_equal(write(file, bytes, length), length);
   close(file);
-  error = (asp_error){ASP_OK, ""};
+  error = (asp_error){.code = ASP_OK};
   asp_heights *p = aspi_read(NULL, path, false, options, &report, &error);
   unlink(path);
   return p;

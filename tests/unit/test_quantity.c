@@ -7,11 +7,11 @@
 
 #include <stdlib.h>
 
-static const asp_units si = {"SI", 1, 1, 1}, cgs = {"'units cgs'", 1e2, 1e3, 1};
+static const asp_units si = {"SI", 1, 1, 1, {0}}, cgs = {"'units cgs'", 1e2, 1e3, 1, {0}};
 
 static double read(const char *text, const char *kind, const asp_units *units) {
   double value;
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   if (aspi_quantity_read("it", text, kind, units, &value, &error))
     print_error("%s\n", error.text);
   assert_int_equal(error.code, ASP_OK);

@@ -9,7 +9,7 @@
 static const double up[3] = {0, 0, 1};
 
 static asp_wall *wall_of(const char *words) {
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {.code = ASP_OK};
   asp_wall *wall = asp_wall_from_text(words, 1e-6, 1e-4, &error);
   assert_string_equal(error.text, "");
   return wall;
@@ -42,7 +42,7 @@ static void check_weights(const char *own, const char *other, double d_p, double
   set_speed(30, degrees, v1);
   for (uint64_t tag = 1; tag <= N; tag++) {
     asp_impact by_weights, plain, there;
-    const asp_key key = {1, 2, tag, 1}, other_key = {2, 2, tag, 1};
+    const asp_key key = {1, 2, tag, 1, 0}, other_key = {2, 2, tag, 1, 0};
     assert_int_equal(
         asp_wall_weights(wall, 1, &grain, v1, up, &key, 2, others, &by_weights, weights, NULL),
         ASP_OK);
@@ -99,8 +99,8 @@ static void weights_of_every_model(void **state) {
     asp_impact impact;
     double weight, v[3];
     set_speed(30, 15, v);
-    bool has = !asp_wall_weights(wall, 1, &grain, v, up, &(asp_key){1, 1, 1, 1}, 1, others, &impact,
-                                 &weight, NULL);
+    bool has = !asp_wall_weights(wall, 1, &grain, v, up, &(asp_key){1, 1, 1, 1, 0}, 1, others,
+                                 &impact, &weight, NULL);
     asp_wall_free(wall);
     refused += !has;
     for (int k = 0; k < 3 && has; k++)
@@ -128,9 +128,9 @@ static void steeper_walls_are_refused(void **state) {
       asp_wall *own = wall_of(walls[i][0]), *other = wall_of(words);
       const asp_wall *const others[] = {other};
       asp_impact impact;
-      asp_error error = {ASP_OK, ""};
-      assert_int_equal(asp_wall_weights(own, 1, &grain, v1, up, &(asp_key){1, 1, 1, 1}, 1, others,
-                                        &impact, &weight, &error),
+      asp_error error = {.code = ASP_OK};
+      assert_int_equal(asp_wall_weights(own, 1, &grain, v1, up, &(asp_key){1, 1, 1, 1, 0}, 1,
+                                        others, &impact, &weight, &error),
                        k ? ASP_ERANGE : ASP_OK);
       assert_true(!k || strstr(error.text, "it must be at most 1.4 times"));
       asp_wall_free(own);
@@ -147,7 +147,7 @@ static void walls_without_weights_are_refused(void **state) {
       WALL("surface rq 5um lambda_c 40um spread visible plane")};
   asp_wall *own = wall_of(WALL("surface rq 5um lambda_c 40um"));
   const asp_particle grain = {.d_p = 1e-5, .density = 2650};
-  const asp_key key = {1, 1, 1, 1};
+  const asp_key key = {1, 1, 1, 1, 0};
   double v1[3], weight;
   set_speed(30, 30, v1);
   for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
@@ -177,7 +177,7 @@ static size_t fly(asp_wall *const walls[4], uint64_t first, aspi_drawn *drawn) {
     asp_impact is;
     set_speed(30, 10 + (double)(tag % 30), v);
     for (uint32_t impact = 1; impact <= 3; impact++) {
-      const asp_key key = {1, 2, tag, impact};
+      const asp_key key = {1, 2, tag, impact, 0};
       asp_wall_weights(walls[0], 1, &grain, v, up, &key, 3, (const asp_wall *const *)walls + 1, &is,
                        weights, NULL);
       bool stuck = is.outcome == ASP_DEPOSIT;

@@ -27,7 +27,7 @@ static asp_impact hit(const asp_wall *wall, const asp_pair *pair, const double v
   asp_particle particle = {
       .d_p = 5e-3, .density = 3950, .pair = pair, .omega = {omega[0], omega[1], omega[2]}};
   asp_impact impact;
-  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1, 0}, &impact);
   return impact;
 }
 
@@ -125,7 +125,7 @@ static void energy_with_spin_never_grows(void **state) {
     asp_particle particle = {
         .d_p = 2 * r, .density = 2650, .pair = &pair, .omega = {w[0], w[1], w[2]}};
     asp_impact impact;
-    asp_wall_impact(wall, &particle, v, up, &(asp_key){1, 1, tag, 1}, &impact);
+    asp_wall_impact(wall, &particle, v, up, &(asp_key){1, 1, tag, 1, 0}, &impact);
     assert_true(energy(impact.v2, impact.omega, r) <= energy(v, w, r) * (1 + 1e-13));
     assert_true(impact.v2[2] >= 0);
     asp_wall_free(wall);
@@ -143,7 +143,7 @@ static double restitution_of(double d_p, double density, const asp_pair *pair, d
   asp_particle particle = {.d_p = d_p, .density = density, .pair = pair};
   double v1[3] = {0, 0, -speed};
   asp_impact impact;
-  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1}, &impact);
+  asp_wall_impact(wall, &particle, v1, up, &(asp_key){1, 1, 1, 1, 0}, &impact);
   asp_wall_free(wall);
   return impact.v2[2] / speed;
 }
@@ -286,7 +286,7 @@ static void a_flow_takes_away(void **state) {
   static const double measured[][2] = {
       {0.258, 0.996}, {0.381, 0.941}, {0.525, 0.886}, {1.497, 0.150}, {3.135, 0.061}};
   enum { N = 20000 };
-  asp_particle particle = {.d_p = 10e-6, .density = 3950, .pair = &pair};
+  asp_particle particle = {.d_p = 10e-6, .density = 3950, .pair = &pair, .gas = ASP_GAS_FLOWS};
   aspi_wall_choice choice = choice_of("bons");
   choice.flow = (aspi_flow){.density = 1.2, .viscosity = 1.5e-5, .micron = 1e-6};
   asp_wall *wall = wall_of(&choice);
@@ -294,7 +294,7 @@ static void a_flow_takes_away(void **state) {
     double stays = 0, by_draw = 0;
     particle.u_tau = measured[i][0];
     for (uint64_t tag = 1; tag <= N; tag++) {
-      asp_removal its = asp_wall_removal(wall, &particle, &(asp_key){1, 1, tag, 1});
+      asp_removal its = asp_wall_removal(wall, &particle, &(asp_key){1, 1, tag, 1, 0});
       assert_true(its.rate >= 0 && its.rate <= 0.00658 * particle.u_tau * particle.u_tau / 1.5e-5);
       stays += exp(-its.rate) / N;
       by_draw += (double)!(its.rate > its.most) / N;
@@ -303,15 +303,15 @@ static void a_flow_takes_away(void **state) {
     assert_near(by_draw, stays, 0.02);
   }
   particle.u_tau = 100;
-  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate, 0.00658e4 / 1.5e-5,
+  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate, 0.00658e4 / 1.5e-5,
               1e-3);
-  particle.u_tau = -1; /* at rest, whatever the words say */
+  particle.gas = ASP_GAS_AT_REST; /* whatever the words say */
   asp_wall_free(wall);
   choice.flow.u_tau = 100;
   wall = wall_of(&choice);
-  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate, 0, 0);
-  particle.u_tau = 0;
-  assert_true(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate > 0);
+  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate, 0, 0);
+  particle.gas = ASP_GAS_NONE;
+  assert_true(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate > 0);
   asp_wall_free(wall);
 }
 
@@ -325,7 +325,8 @@ static void holds_by_what_it_sticks(void **state) {
   best_of(2 * r, rho, &pair, &sticks);
   double work = r * pow(pow(sticks / 1.84, 6) * pow(rho, 3) * 118e9 * 118e9, 0.2);
   double pull = 10.45 * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
-  asp_particle particle = {.d_p = 2 * r, .density = rho, .pair = &pair, .u_tau = u};
+  asp_particle particle = {
+      .d_p = 2 * r, .density = rho, .pair = &pair, .u_tau = u, .gas = ASP_GAS_FLOWS};
   for (int i = 0; i < 2; i++) { /* with 0.7 of that, and 1.1 of it */
     aspi_wall_choice choice = choice_of("thornton_ning");
     choice.flow = (aspi_flow){.density = (i ? 1.1 : 0.7) * 1.5 * M_PI * work * r / pull,
@@ -334,7 +335,7 @@ static void holds_by_what_it_sticks(void **state) {
                               .spread = 1,
                               .micron = 1e-6};
     asp_wall *wall = wall_of(&choice);
-    assert_int_equal(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1}).rate < full, !i);
+    assert_int_equal(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate < full, !i);
     asp_wall_free(wall);
   }
 }

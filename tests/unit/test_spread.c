@@ -149,7 +149,7 @@ enum { BINS = 30 };
 static double chi_square(const asp_spread_model *model, const aspi_spread_input *view, size_t n,
                          uint64_t from, double *count, const double *edge) {
   for (uint64_t tag = from; tag < from + n; tag++) {
-    aspi_stream stream = aspi_stream_begin(&(asp_key){11, 5, tag, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){11, 5, tag, 1, 0});
     double delta;
     int bin = 0;
     if (!aspi_spread_draw(model, view, &stream, &delta))
@@ -385,7 +385,7 @@ static void flat_walls_have_no_spread(void **state) {
     if (model->prepare)
       continue;
     aspi_spread_input view = aspi_spread_input_of(0, 0.3);
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, 1, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, 1, 1, 0});
     double delta = 1;
     assert_true(aspi_spread_draw(model, &view, &stream, &delta));
     assert_near(delta, 0, 0);

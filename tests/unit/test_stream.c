@@ -47,7 +47,7 @@ static void known_draws(void **state) {
     assert_int_equal(sscanf(line, "%u %39s %llu %u %lf %lf %lf %lf", &seed, fix, &tag, &impact,
                             &u[0], &u[1], &u[2], &u[3]),
                      8);
-    aspi_stream s = aspi_stream_begin(&(asp_key){seed, asp_key_wall(fix), tag, impact});
+    aspi_stream s = aspi_stream_begin(&(asp_key){seed, asp_key_wall(fix), tag, impact, 0});
     for (int i = 0; i < 4; i++)
       assert_near(aspi_stream_uniform(&s), u[i], 0);
     rows++;
@@ -69,7 +69,7 @@ static void uniform_is_uniform(void **state) {
   enum { TAGS = 100000, DRAWS = 10 };
   double sum = 0, square = 0, n = (double)TAGS * DRAWS;
   for (uint64_t tag = 0; tag < TAGS; tag++) {
-    aspi_stream s = aspi_stream_begin(&(asp_key){7, 7, tag, 1});
+    aspi_stream s = aspi_stream_begin(&(asp_key){7, 7, tag, 1, 0});
     for (int i = 0; i < DRAWS; i++) {
       double u = aspi_stream_uniform(&s);
       assert_true(u > 0 && u < 1);

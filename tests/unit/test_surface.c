@@ -258,7 +258,7 @@ static void lengths_are_numbers_or_refused(void **state) {
   for (int lay = 0; lay < 2; lay++)
     for (int i = 0; i < N; i++)
       for (int k = 0; k < N; k++) {
-        asp_error error = {ASP_OK, ""};
+        asp_error error = {.code = ASP_OK};
         asp_surface *s =
             lay ? asp_surface_create_lay(lengths[i], lengths[k], 3 * lengths[k], &error)
                 : asp_surface_create(lengths[i], lengths[k], &error);

@@ -336,7 +336,7 @@ static void sizes_in_between_are_shared(void **state) {
   const aspi_sizes sizes = {1, 16, 3};
   double next = 0;
   for (uint64_t tag = 1; tag <= N; tag++) {
-    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, tag, 1});
+    aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, tag, 1, 0});
     const int bin = aspi_sizes_draw(&sizes, pow(4, 1.25), &stream);
     assert_true(bin == 1 || bin == 2);
     next += bin == 2;

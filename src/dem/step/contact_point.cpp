@@ -50,7 +50,7 @@ asp_particle ContactPoint::particle(double lay[3]) {
   particle.density = mover.mass / ASP_SPHERE_VOLUME(particle.d_p);
   particle.pair = setup.model.pair(one.type, member.wall_type);
   if (setup.temperatures) {
-    asp_error wrong = {ASP_OK, "it must be more than 0"};
+    asp_error wrong = {ASP_OK, "it must be more than 0", {}};
     const double own = particle.temperature = setup.temperature(mover.i);
     if (!(own > 0) || asp_wall_sticking(law(), own, NULL, &wrong))
       throw Error(text("the temperature of particle %lld, by '%s', is %g K: %s",

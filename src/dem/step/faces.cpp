@@ -119,7 +119,7 @@ void ContactPoint::find_face(bool stays) {
 /* The key of the next draw of a sphere that rests at the wall, or bounces on it. */
 asp_key ContactPoint::next_key() const {
   return asp_key{wall.setup.model.seed(), wall.setup.stay_key, static_cast<uint64_t>(one.tag),
-                 static_cast<uint32_t>(++memory.own().draws)};
+                 static_cast<uint32_t>(++memory.own().draws), 0};
 }
 
 /* The valley behind the face of a contact, on its first use. */
@@ -208,7 +208,8 @@ bool ContactPoint::graze(Impact &made) {
   aspi_copy(turning, here.omega);
   const asp_key key = next_key();
   asp_impact result;
-  if (!asp_wall_impact_grazing(law(), &here, along, touch.n, press, &key, &result))
+  asp_wall_impact_grazing(law(), &here, along, touch.n, press, &key, &result);
+  if (result.hits == 0)
     return false;
   brake(along, turning);
   made = impact();

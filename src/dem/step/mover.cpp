@@ -233,7 +233,7 @@ double Mover::response(const double at[3], const double n[3]) const {
 }
 
 asp_body Mover::core_body(const double at[3]) const {
-  asp_body made = {1 / mass, {0, 0, 0, 0, 0, 0}, {at[0], at[1], at[2]}};
+  asp_body made = {1 / mass, {0, 0, 0, 0, 0, 0}, {at[0], at[1], at[2]}, {0, 0}};
   for (int j = 0; j < 6; j++)
     made.inverse_inertia[j] = inverse[j] / mass;
   return made;

@@ -240,9 +240,9 @@ static asp_removal draw_removal(const Setup &setup, const Mover &mover, const St
   const BodySphere &one = mover.sphere[mover.anchor(place)];
   const size_t shape = static_cast<size_t>(place.shape) - 1;
   const asp_key key = {setup.model.seed(), setup.stay_key, static_cast<uint64_t>(one.tag),
-                       static_cast<uint32_t>(draws + 1)};
+                       static_cast<uint32_t>(draws + 1), 0};
   if (!(place.shape >= 1))
-    return {0, 1};
+    return {0, 1, {}};
   return setup.model.removal(one.type, setup.shapes[shape].wall_type, 2 * one.radius, key);
 }
 

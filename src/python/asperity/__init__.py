@@ -43,39 +43,35 @@ class Error(ValueError):
 class _Failure(ctypes.Structure):
     """asp_error"""
 
-    _fields_ = [("code", c_int), ("text", c_char * 480)]
-
-
-class _Lay(ctypes.Structure):
-    """asp_lay"""
-
-    _fields_ = [("kind", c_int), ("vector", c_double * 3), ("angle", c_double)]
+    _fields_ = [("code", c_int), ("text", c_char * 480), ("reserved", c_int * 4)]
 
 
 def _struct(columns: str) -> np.dtype:
-    """The type of a struct in C, as "name type, name type"."""
-    return np.dtype([tuple(column.split()) for column in columns.split(", ")], align=True)
+    """The type of a struct in C, as "name type, name type", its reserve without a name."""
+    whole = np.dtype([tuple(column.split()) for column in columns.split(", ")], align=True)
+    return whole[[name for name in whole.names if name != "reserved"]]
 
 
-BODY = _struct("inverse_mass f8, inverse_inertia 6f8, lever 3f8")  # asp_body
+BODY = _struct("inverse_mass f8, inverse_inertia 6f8, lever 3f8, reserved 2f8")  # asp_body
 _PARTICLE = _struct("d_p f8, density f8, pair uintp, omega 3f8, lay uintp, temperature f8, "
-                    "u_tau f8, body uintp, reserved 4f8")
-_CHECK_INPUT = _struct("words uintp, wall uintp, d_least f8, largest uintp, material 2uintp")
-_KEY = _struct("seed u4, wall u4, tag u8, impact u4")
+                    "u_tau f8, gas i4, body uintp, reserved 4f8")
+_CHECK_INPUT = _struct("words uintp, wall uintp, d_least f8, largest uintp, material 2uintp, "
+                       "reserved 4f8")
+_KEY = _struct("seed u4, wall u4, tag u8, impact u4, reserved u4")
 _IMPACT = _struct("v2 3f8, omega 3f8, delta_alpha f8, tilt_out f8, hits i4, capped ?, outcome i4, "
                   "eroded f8, reserved 4f8")
 _COEFFICIENTS = _struct("v1 f8, alpha1 f8, v2 f8, alpha2 f8, cor_v f8, cor_alpha f8, cor_n f8, "
-                        "cor_v_space f8, cor_alpha_space f8, cor_t f8")
+                        "cor_v_space f8, cor_alpha_space f8, cor_t f8, reserved 2f8")
 
 _STRUCTS = {"body": BODY, "coefficients": _COEFFICIENTS, "impact": _IMPACT, "key": _KEY,
-            "particle": _PARTICLE, "check_input": _CHECK_INPUT, "error": _Failure, "lay": _Lay}
+            "particle": _PARTICLE, "check_input": _CHECK_INPUT, "error": _Failure}
 
 _P, _S, _N, _D, _E = c_void_p, c_char_p, c_size_t, c_double, POINTER(_Failure)
 _SIGNATURES: dict[str, tuple[Any, ...]] = {  # result, arguments
     "version": (_S,), "struct_size": (_N, _S), "key_wall": (ctypes.c_uint32, _S),
     "description_parse": (_P, _S, _P, _E), "description_free": (None, _P),
     "description_text": (_N, _P, _P, _N), "description_get": (_D, _P, _S),
-    "description_word": (_S, _P, _S), "description_lay": (_Lay, _P),
+    "description_word": (_S, _P, _S), "wall_seed": (ctypes.c_uint32, _P),
     "description_material": (_P, _P, c_int), "material_get": (_D, _P, _S),
     "warning": (c_bool, _P, c_int, _P, _N), "description_needs_sizes": (c_bool, _P),
     "description_set_heights": (c_int, _P, _P, _E), "heights_free": (None, _P),
@@ -126,6 +122,13 @@ def _vectors(name: str, values: ArrayLike, n: int | None = None) -> NDArray[np.f
     if vectors.shape not in ((1, 3), (n, 3)):
         raise Error(f"{name} has the shape {np.shape(values)}; it must be (3,) or ({n}, 3)")
     return np.ascontiguousarray(np.broadcast_to(vectors, (n, 3)))
+
+
+def _each(name: str, values: ArrayLike, n: int) -> NDArray[Any]:
+    """One value for all, or one for each of n."""
+    if np.shape(values) not in ((), (1,), (n,)):
+        raise Error(f"{name} has the shape {np.shape(values)}; it must be one value or ({n},)")
+    return np.broadcast_to(values, n)
 
 
 def _must(good: NDArray[np.bool_], name: str, values: NDArray[Any], what: str) -> None:
@@ -262,7 +265,7 @@ walton 0.9 0.3 0 deposit freeze seed 1')
 
     def impacts(self, v1: ArrayLike, d_p: ArrayLike, normals: ArrayLike = (0, 0, 1), *,
                 density: ArrayLike | None = None, omega: ArrayLike = (0, 0, 0),
-                lay: ArrayLike | None = None, temperature: ArrayLike = 0, u_tau: ArrayLike = 0,
+                lay: ArrayLike | None = None, temperature: ArrayLike = 0,
                 body: NDArray[np.void] | None = None, tag: ArrayLike | None = None,
                 impact: ArrayLike = 1, seed: int | None = None,
                 others: Sequence[Wall] = ()) -> Any:
@@ -282,10 +285,9 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         omega : array_like
             Angular velocities (rad/s).
         lay : array_like, optional
-            Direction of the lay.
-        temperature, u_tau : array_like
-            Of the particle (K), and friction velocity of the gas (m/s); 0: those of the words; a
-            negative u_tau is a gas at rest.
+            Direction of the lay; that of the words if not given, an angle from x toward y.
+        temperature : array_like
+            Of the particle (K); 0: that of the words.
         body : array of BODY, optional
             Bodies in place of spheres.
         tag, impact : array_like
@@ -307,26 +309,28 @@ walton 0.9 0.3 0 deposit freeze seed 1')
         v1 = _vectors("v1", v1)
         n = len(v1)
         normals, spin = _vectors("normals", normals, n), _vectors("omega", omega, n)
-        lay = self._lay() if lay is None else lay
         lay = None if lay is None else _vectors("lay", lay, n)
         if lay is not None:
             _must(np.isfinite(lay).all(axis=1), "lay", lay.sum(axis=1), "finite")
         particles, keys, made = np.zeros(n, _PARTICLE), np.zeros(n, _KEY), np.zeros(n, _IMPACT)
-        particles["d_p"], particles["omega"] = d_p, spin
-        particles["density"] = self._density if density is None else density
-        particles["temperature"], particles["u_tau"] = temperature, u_tau
+        particles["d_p"], particles["omega"] = _each("d_p", d_p, n), spin
+        particles["density"] = _each("density", self._density if density is None else density, n)
+        particles["temperature"] = _each("temperature", temperature, n)
         if lay is not None:
             particles["lay"] = lay.ctypes.data + np.arange(n) * lay.strides[0]
         lever = np.zeros(3)
         if body is not None:
-            body = np.ascontiguousarray(np.broadcast_to(np.asarray(body, BODY), n))
-            particles["body"] = body.ctypes.data + np.arange(n) * BODY.itemsize
-            lever, mass = body["lever"], body["inverse_mass"]
+            bodies = np.zeros(n, BODY)
+            bodies[...] = _each("body", np.asarray(body, BODY), n)
+            particles["body"] = bodies.ctypes.data + np.arange(n) * BODY.itemsize
+            lever, mass = bodies["lever"], bodies["inverse_mass"]
             _must((mass > 0) & (mass < np.inf), "inverse_mass of the body", mass, "> 0 per kg")
-        keys["seed"] = _whole("seed", self.get("seed") if seed is None else seed, (1 << 32) - 1)
+        keys["seed"] = (_asp.asp_wall_seed(self._wall) if seed is None
+                        else _whole("seed", seed, (1 << 32) - 1))
         keys["wall"] = self._key
-        keys["tag"] = np.arange(1, n + 1) if tag is None else _whole("tag", tag, (1 << 64) - 1)
-        keys["impact"] = _whole("impact", impact, (1 << 32) - 1)
+        tag = np.arange(1, n + 1) if tag is None else _whole("tag", tag, (1 << 64) - 1)
+        keys["tag"] = _each("tag", tag, n)
+        keys["impact"] = _each("impact", _whole("impact", impact, (1 << 32) - 1), n)
         self._check(v1 + np.cross(spin, lever), normals, particles)
         sizes = np.append(particles["d_p"], [d for d in self._asked if d > 0])
         if n > 0 and (sizes.min(), sizes.max()) != self._asked:
@@ -340,11 +344,6 @@ walton 0.9 0.3 0 deposit freeze seed 1')
               made.ctypes.data, weights.ctypes.data)
         return made, weights
 
-    def _lay(self) -> tuple[float, ...] | None:
-        """The lay of the words; an angle is from x toward y, as in the command."""
-        lay = _asp.asp_description_lay(self._words)
-        return (None, tuple(lay.vector), (np.cos(lay.angle), np.sin(lay.angle), 0))[lay.kind]
-
     def _check(self, v1: NDArray[Any], normals: NDArray[Any], particles: NDArray[Any]) -> None:
         d_p, density = particles["d_p"], particles["density"]
         length = np.linalg.norm(normals, axis=1)
@@ -353,8 +352,8 @@ walton 0.9 0.3 0 deposit freeze seed 1')
                   f"{self._least:g} to {self._most:g} m, for which the wall was made")
         _must((d_p > 0) & (d_p < np.inf), "d_p", d_p, "> 0 m")
         _must((density > 0) & (density < np.inf), "density", density, "> 0 kg/m3")
-        for name in ("temperature", "u_tau"):
-            _must((particles[name] >= 0) & (particles[name] < np.inf), name, particles[name], ">= 0")
+        heat = particles["temperature"]
+        _must((heat >= 0) & (heat < np.inf), "temperature", heat, ">= 0")
         _must(np.abs(length - 1) < 1e-6, "the length of the normal", length, "1")
         toward = np.einsum("ij,ij->i", v1, normals)
         _must(np.isfinite(v1).all(axis=1) & (toward < 0), "v1 . n", toward, "< 0, toward the wall")
