@@ -13,7 +13,7 @@ enum { DRAWS = 2000 };
 static asp_wall *wall_over(const char *words, asp_heights *heights, double d_least, double d_most) {
   asp_description *d = asp_description_parse(words, NULL, NULL);
   assert_int_equal(asp_description_set_heights(d, heights, NULL), ASP_OK);
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {0};
   asp_wall *wall = asp_wall_create(d, d_least, d_most, &error);
   assert_string_equal(error.text, "");
   asp_description_free(d);
@@ -96,7 +96,7 @@ static void depths_that_no_grain_reaches_do_not_count(void **state) {
   asp_wall_free(wall);
   asp_description *d = asp_description_parse("surface map beads spread visible", NULL, NULL);
   asp_heights *map = beads(1);
-  asp_error error = {ASP_OK, ""};
+  asp_error error = {0};
   asp_description_set_heights(d, map, NULL);
   asp_description_expect_pairs(d);
   assert_null(asp_wall_create(d, 0, 0, &error)); /* no diameter: everything counts */
