@@ -10,6 +10,7 @@ quick='--samples 400' ard='materials ard hastelloy-x'
 
 # Impacts of 10 um quartz on a wall of sigma 8.05 degrees.
 "$asperity" cor surface rq 4mm lambda_c 40mm --angles 20:80:20 --samples 150 -o data
+draws
 "$asperity" calibrate data surface sigma fit friction fit $ard $quick --plot fit.png > fit 2> err
 [ "$(grep -v '^#' fit | head -n 1)" = parameter,estimate,standard_error,low_95,high_95,unit ] && [ "$(rows fit | wc -l)" = 2 ] || die "rows: $(cat fit)"
 near sigma 8.05 4 fit; near friction 0.3 4 fit

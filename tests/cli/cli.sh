@@ -9,6 +9,9 @@ cd "$work"
 
 die() { echo "FAILED: $*" >&2; exit 1; }
 
+# Stands before the first picture of a test, whose rest is skipped where there is no gnuplot.
+draws() { command -v gnuplot > /dev/null || { echo "no gnuplot: the pictures, and what follows them, are not tested"; exit 77; }; }
+
 # The options that the help of a command lists.
 options_of() { "$asperity" "$1" --help 2> /dev/null | grep -o '^  --[a-z_-]*' | tr -d ' '; }
 

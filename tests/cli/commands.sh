@@ -48,6 +48,7 @@ refuses 2 "'-sigma'" "word of the description" -- cor -sigma 5
 "$asperity" materials | grep -q '^hastelloy-x,.*handbook values"$' || die "materials"
 
 # Pictures, by the scripts of share/asperity/plot: of impacts, of their means, and of samples.
+draws
 for ending in png svg pdf; do
   "$asperity" cor surface rq 5um lambda_c 40um --samples 20 --plot cor.$ending -o drawn.csv 2> err || die "cor --plot cor.$ending: $(cat err)"
 done

@@ -182,6 +182,7 @@ done
 [ "$(grep -c 'Permission is hereby granted' "$data/lamarche_2022.LICENSE")" = 1 ] || die "LaMarche's data without their license"
 
 # The picture names both files.
+draws
 "$asperity" compare quarter half --plot p.svg > got 2> err
 printf 'alpha1_deg,cor_n,cor_t\n5,9,1\n5,1,1\n5,1.2,1\n' > far_off.csv
 "$asperity" compare far_off.csv far_off.csv --plot off_axis.svg > got 2> err

@@ -94,6 +94,7 @@ printf 'name,youngs_modulus_pa,poissons_ratio,density_kg_m3\nA,1e11,0.3,5000\na,
 "$asperity" materials | awk -F, 'NR > 2' | grep -c '' | { read -r n; [ "$n" -ge 18 ] || die "$n materials"; }
 
 # Pictures.
+draws
 "$asperity" spread surface sigma 10 --samples 100 --plot A.PNG -o /dev/null 2> /dev/null && head -c 4 A.PNG | grep -q PNG || die ".PNG"
 
 # Files that cannot be written, or are two in one, are refused before work begins.

@@ -13,6 +13,7 @@ capture() { "$asperity" cor "$@" --capture --samples 20 > c && column capture_sh
 [ "$(capture rebound bons soften 500C 0.001/K temperature 1500 --dp 10um --speed 7)" != "$(capture --dp 10um --speed 7)" ] || die "capture on a hot wall: $(cat c)"
 read -r slow fast <<< "$(capture surface rq 5um lambda_c 40um --dp 10um --speed 6,12)"
 awk -v a="$slow" -v b="$fast" 'BEGIN { exit !(a > b && a > 0 && a <= 1 && b < 1) }' || die "capture on a rough wall: $(cat c)"
+draws
 "$asperity" cor --capture --samples 1 --plot capture.svg > c 2> err || die "capture --plot: $(cat err)"
 [ "$(rows c | wc -l)" = 3721 ] && [ "$(rows c | sed -n '1p;$p' | cut -d, -f 1,2 | paste -sd' ')" = "0.5,0.1 200,1000" ] || die "the grid of capture: $(head -n 3 c)"
 grep -q 'share that sticks' capture.svg || die "capture --plot"

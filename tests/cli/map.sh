@@ -79,6 +79,7 @@ refuses 2 "triangle 7" "0 to 3" -- map <(sed 's/^7,1,0,1,3/7,1,0,1,7/' ledger) t
 refuses 2 "no map of impacts" -- map two.stl
 refuses 2 "LEDGER and MESH" -- map
 refuses 2 "'x' is missing" -- map <(cut -d, -f1-5,9-14 ledger) two.stl
+draws
 refuses 2 "--clip is 'q:1:2'" "AXIS:FROM:TO" -- map ledger two.stl --clip q:1:2 --plot map.png
 refuses 2 "--view is '30'" "AZ,EL" -- map ledger two.stl --view 30 --plot map.png
 refuses 2 "--clip leaves nothing" -- map ledger two.stl --scale 1e-3 --clip z:1: --plot map.png

@@ -20,6 +20,7 @@ for file in matrix triples sdf; do
 done
 awk -F, '/^[0-9]/ { if (!($3 > 4 && $3 < 6.5 && $4 > 14 && $4 < 28 && $5 > 23 && $5 < 34 && $8 > 3 * $9)) exit 1; if (n++ && !($8 < last)) exit 1; last = $8 }
   END { if (n != 2) exit 1 }' matrix.out || die "surface --map: $(cat matrix.out)"
+draws
 "$asperity" surface surface map sdf --dp 2um,20um --plot map.svg > plot.out 2> err || die "surface --map --plot: $(cat err)"
 cmp <(sed 1,2d plot.out) <(sed 1,2d matrix.out) && grep -q 'rms contact slope' map.svg || die "surface --map --plot"
 grep -q '^# ISO 25178-2, unfiltered: S_q .* S_al .* S_tr ' matrix.out || die "surface --map: parameters"

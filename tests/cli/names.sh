@@ -5,6 +5,7 @@
 source "$(dirname "$0")/cli.sh"
 { echo x_um,z_um; awk 'BEGIN { srand(1); for (i = 0; i < 400; i++) { z = 0.9 * z + rand() - 0.5; print i "," z } }'; } > profile
 mkdir pictures data
+draws
 echo "system 'touch pwned'" > .gnuplot # no start-up file is read
 export HOME=$work
 shown() { # NAME FILE: a text of the picture has the name

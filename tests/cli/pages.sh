@@ -28,6 +28,7 @@ for command in ${commands//|/ }; do options_of "$command" | sed "s/^/$command /"
 # The block of the command's page runs from the top, with few samples: each line reads what is in the tree or what one
 # before it wrote.
 ln -s "$root/examples" .
+draws
 sed -nE 's/^build\/bin\/asperity ([^#]*).*/\1/p' "$root/src/cli/README.md" > block
 [ "$(wc -l < block)" -ge 10 ] || die "src/cli/README.md: the block has $(wc -l < block) lines"
 while read -r line; do

@@ -100,6 +100,7 @@ refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --po
 [ "$(rows many | cut -d, -f1-3 | paste -sd' ')" = "10,2,40 50,2,40 10,2,80 50,2,80 10,5,40 50,5,40 10,5,80 50,5,80" ] || die "lists of walls: $(cat many)"
 "$asperity" surface surface rq 5um lambda_c 80um seed 7 --dp 10um,50um --points 8192 > one
 cmp <(rows many | tail -n 2) <(rows one) || die "a list of walls and one of them"
+draws
 refuses 2 '--plot is given' 'it takes one' -- surface surface rq 2um,5um lambda_c 40um --plot m.svg
 
 # The same on any number of threads, and the slope by the size law, s = sqrt(2) phi_r (1 + 0.92 kappa^3)^(-1/6).
