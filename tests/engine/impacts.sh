@@ -19,7 +19,7 @@ awk 'BEGIN { srand(3); n = 200; for (k = 0; k < 120; k++) { a[k] = sqrt(-2 * log
   printf 'surface %s\n' smooth "ra 4um rdq 10deg" "sq 5um sal 50um" "rq 5um rsm 264um sampling 0.8mm" "rq 5um lambda_c 40um 80um lay 1 1 0" \
     "profile $work/wall.csv dp_bins 1" "map $work/ground.txt dp_bins 1 lay 1 -1 0"
 } | awk '/rebound/ { print; next } { print $0, "materials quartz hastelloy-x seed 3" }' > walls
-[ "$(wc -l < walls)" -ge 16 ] || die "walls: $(cat walls)"
+[ "$(wc -l < walls)" -ge 15 ] || die "walls: $(cat walls)"
 
 # Grains of 20 um in all directions.
 awk 'BEGIN { n = 200; pi = atan2(0, -1); srand(8); print "g\n\n" n " atoms\n2 atom types\n\n-0.003 0.006 xlo xhi\n-0.003 0.006 ylo yhi\n-0.0005 0.001 zlo zhi\n\nAtoms\n"
