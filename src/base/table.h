@@ -56,8 +56,8 @@ asp_code aspi_table_line(aspi_table *table, bool *found, asp_error *error);
 /* The same, and ASP_EDATA if the number of fields differs from the number of names. */
 asp_code aspi_table_row(aspi_table *table, bool *found, asp_error *error);
 
-/* Length of the sign, or bracket, of an error that belongs to the cell before it, as in `0.52 ± 0.07`
- * and `0.52 (0.07)`, also where blanks separate cells; 0: another text. */
+/* Length of the sign, or bracket, of an error that belongs to the cell before it, as in `0.52 ±
+ * 0.07` and `0.52 (0.07)`, also where blanks separate cells; 0: another text. */
 size_t aspi_table_sign(const char *text);
 
 /* ASP_EDATA and a message on the current line. */

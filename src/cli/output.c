@@ -31,6 +31,7 @@ static FILE *open_partial(const char *path) {
   size_t size = strlen(path) + SUFFIX_MOST;
   char *name = cli_allocate(size, 1);
   snprintf(name, size, "%s.%ld.partial", path, (long)getpid());
+  cli_remove_later(name); /* before it is there: a signal leaves nothing */
   FILE *stream = fopen(name, "wxe");
   partial = stream ? name : NULL;
   cli_remove_later(partial);

@@ -198,8 +198,9 @@ void test_rest(void **) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(test_frames),         cmocka_unit_test(test_steady), cmocka_unit_test(test_fast_turns),
-      cmocka_unit_test(test_second_order),   cmocka_unit_test(test_summed),
-      cmocka_unit_test(test_follow),         cmocka_unit_test(test_rest)};
+      cmocka_unit_test(test_frames),     cmocka_unit_test(test_steady),
+      cmocka_unit_test(test_fast_turns), cmocka_unit_test(test_second_order),
+      cmocka_unit_test(test_summed),     cmocka_unit_test(test_follow),
+      cmocka_unit_test(test_rest)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
