@@ -9,7 +9,7 @@
 
 enum { ANGLES = 1024 };
 
-static const asp_pair pair = {54.8e9, 200e6, 0.8, 0.3, 7800, 0};
+static const asp_pair pair = {54.8e9, 200e6, 0.8, 0.3, 7800, 0, 0};
 static double v1[ANGLES][3], normal[ANGLES][3];
 static asp_particle grain[ANGLES];
 
