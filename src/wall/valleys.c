@@ -313,6 +313,11 @@ static int in_order(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
+static void put_in_order(list *all) {
+  if (all->n > 0) /* where a class has no valley, there is no list */
+    qsort(all->values, all->n, sizeof *all->values, in_order);
+}
+
 void aspi_valleys_free(aspi_valleys *v) {
   for (int i = 0; v && i < v->sizes.bins * v->directions; i++) {
     free(v->class[i].start.values);
@@ -335,8 +340,8 @@ static bool fill_all(aspi_valleys *v, const aspi_height_field *of, double lay, a
     ok = of->heights->rows > 1 ? fill_map(at, v->directions, of, lay, &l, error)
                                : fill_profile(at, of, &l, error);
     for (class *k = at; k < at + v->directions && ok; k++) {
-      qsort(k->start.values, k->start.n, sizeof *k->start.values, in_order);
-      qsort(k->height.values, k->height.n, sizeof *k->height.values, in_order);
+      put_in_order(&k->start);
+      put_in_order(&k->height);
     }
   }
   free(room);
