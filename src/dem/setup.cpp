@@ -16,8 +16,8 @@ Setup::Setup(const Engine &of)
 /* One formula for the time of a step, whether or not the run was interrupted before it. */
 void Setup::set_clock(int64_t step, double now_dt) {
   const double now = static_cast<double>(step);
-  if (!(now_dt > 0))
-    throw Error(text("the time step is %g; it must be > 0", now_dt));
+  if (!(now_dt >= 0))
+    throw Error(text("the time step is %g; it must be >= 0", now_dt));
   dt = now_dt;
   if (!(clock.dt > 0))
     clock = Clock{engine.time(), now, dt};
