@@ -68,6 +68,8 @@ void Run::push_bodies() {
     return;
   Run &first = *walls_.front();
   if (Bodies *all = first.take_bodies()) {
+    for (Stepper *each : steppers()) /* all walls are where this run finds them */
+      each->free_displaced(*all, 0);
     push_again(steppers(), *all);
     first.bodies().put(true, wall.setup.engine.world());
   }

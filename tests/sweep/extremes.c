@@ -11,6 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
+#include "base/tolerances.h"
 #include "wall/wall.h"
 #include "random.h"
 #include "surface/heights.h"
@@ -230,9 +231,9 @@ static const char *wrong_with(const combination *c, const asp_impact *impact) {
   }
   if (!isfinite(after) || !isfinite(impact->delta_alpha) || !isfinite(impact->tilt_out))
     return "not a number";
-  bool oblique = cor.alpha1 < ASP_PI / 2 - 1e-12; /* otherwise there is no CoR_T */
-  bool dips = cor.alpha1 > 1e-12;                 /* otherwise there is no CoR_N */
-  bool rebound = impact->outcome != ASP_DEPOSIT;  /* a deposit has no coefficients */
+  bool oblique = cos(cor.alpha1) > ASPI_ROUNDING_PART; /* otherwise there is no CoR_T */
+  bool dips = sin(cor.alpha1) > ASPI_ROUNDING_PART;    /* otherwise there is no CoR_N */
+  bool rebound = impact->outcome != ASP_DEPOSIT;       /* a deposit has no coefficients */
   if (isfinite(cor.cor_n) != (rebound && dips) || isfinite(cor.cor_v) != rebound ||
       isfinite(cor.cor_alpha) != (rebound && dips) || isfinite(cor.cor_t) != (rebound && oblique) ||
       !isfinite(cor.alpha1) || !isfinite(cor.alpha2))

@@ -177,6 +177,7 @@ struct Rod {
   void begin_run() {
     bodies.begins = true;
     claim_bodies(none.steppers(), bodies, MPI_COMM_WORLD);
+    wall->stepper.free_displaced(bodies, 0);
   }
   double count() const {
     return wall->books.counter(Books::N_IMPACTS);

@@ -72,8 +72,6 @@ void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies,
     if (bodies.begins)
       begin_run(*wall, bodies);
     wall->bodies.list(bodies.bounds(), wall->setup.groupbit);
-    if (bodies.begins)
-      wall->free_displaced(bodies, 0);
   }
 }
 

@@ -79,6 +79,8 @@ static bool is_sustained(Flight &flight, ContactPoint &at, bool &arrives) {
   const bool stayed = again || at.memory.status() != Status::FREE;
   at.press = contact.follow - aspi_dot(flight.free, contact.n) + (stayed ? contact.curve : 0);
   double falls = at.press;
+  if (at.memory.status() == Status::RESTING) /* engines may leave out forces as a run begins */
+    falls = std::max(falls, contact.follow - aspi_dot(at.memory.own().free, contact.n));
   if (!at.mover.is_ball) {
     double side[3], turns[3];
     aspi_cross(flight.spin, at.arm, side);
