@@ -82,7 +82,14 @@ aspi_word aspi_table_field(const aspi_table *t, int column, double *value) {
   *value = NAN;
   if (column < 0 || column >= t->all)
     return ASP_WORD_MISSING;
-  return aspi_text_number(t->fields[column], t->thousands, value);
+  const char *field = t->fields[column];
+  aspi_word word = aspi_text_number(field, t->thousands, value);
+  const char *unit = word == ASP_WORD_OTHER ? aspi_cell_unit(field) : "";
+  if (!*unit || (column < t->columns && strcmp(t->column[column].unit, unit) != 0))
+    return word;
+  char number[ASP_PLAIN_MOST];
+  snprintf(number, sizeof number, "%.*s", (int)(unit - field), field);
+  return aspi_text_number(number, t->thousands, value);
 }
 
 /* ---- the header ---- */
@@ -99,7 +106,8 @@ static bool begins(const aspi_table *t, int least) {
 }
 
 /* Finds the line of the first row; 0 if there is none. Rows above a line of words, fewer than
- * ROWS_LEAST, are part of the header. */
+ * ROWS_LEAST, are part of the header; but in a table (least 0) one word alone is the heading of a
+ * group. */
 static asp_code find_start(aspi_table *t, int least, asp_error *error) {
   size_t start = 0, first = 0, rows = 0;
   double value;
@@ -110,7 +118,8 @@ static asp_code find_start(aspi_table *t, int least, asp_error *error) {
     if (row && rows++ == 0)
       start = t->text.line;
     first = first ? first : start;
-    if (!row && !comment && aspi_table_field(t, 0, &value) != ASP_WORD_NUMBER)
+    bool heading = least == 0 && t->count == 1;
+    if (!row && !comment && !heading && aspi_table_field(t, 0, &value) != ASP_WORD_NUMBER)
       rows = 0;
   }
   t->start = rows > 0 ? start : first;

@@ -371,7 +371,7 @@ static const cli_option options[] = {
     {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     {"unit", "U[,U]",
      "unit of the columns of a file that does not state it, or the length that stands for 1", NULL},
-    {"row", "N", "row of an SDF, SUR or X3P map that is the profile", "1"},
+    {"row", "N", "row of an SDF, SUR or X3P map, or trace of a text, that is the profile", "1"},
     {"column", "N|NAME", "column with the heights of a text, or of such a map in place of a row",
      NULL},
     {"x-column", "N|NAME", "column with the positions of a text", NULL},
