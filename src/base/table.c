@@ -14,8 +14,6 @@
  * Longer headers are kept up to here. */
 enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
-/* ---- lines ---- */
-
 /* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;
@@ -91,8 +89,6 @@ aspi_word aspi_table_field(const aspi_table *t, int column, double *value) {
   snprintf(number, sizeof number, "%.*s", (int)(unit - field), field);
   return aspi_text_number(number, t->thousands, value);
 }
-
-/* ---- the header ---- */
 
 static bool begins(const aspi_table *t, int least) {
   double value;
@@ -192,8 +188,6 @@ void aspi_table_close(aspi_table *t) {
   free(t->fields);
   free(t);
 }
-
-/* ---- rows and values ---- */
 
 /* True for a line of words among the rows, as the heading of a group. */
 static bool is_heading(const aspi_table *t) {

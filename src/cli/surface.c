@@ -4,7 +4,6 @@
 #include "cli/cli.h"
 #include "cli/surface.h"
 #include "description/description.h"
-#include "base/error.h"
 #include "base/number.h"
 #include "base/text.h"
 #include "base/units.h"

@@ -16,7 +16,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* A line of another kind ends the rows only after at least this many. */
 enum { ROWS_LEAST = 3 };
