@@ -121,7 +121,7 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
   return ASP_OK;
 }
 
-/* What the bins take the model's impacts from; taken: of one bin. */
+/* Source of the model's impacts in the bins. taken: those of one bin. */
 typedef struct source {
   aspi_near *near;
   const aspi_compare_reach *far;

@@ -25,9 +25,6 @@ aspi_file_fail(const char *path, size_t line, asp_error *error, const char *form
 asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,
                           double least, double most);
 
-/* ASP_EARG unless value > 0, finite. */
-asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value);
-
 /* ASP_EARG unless a length is from 1e-100 to 1e100 in any unit, so that ratios and squares do not
  * overflow. */
 asp_code aspi_check_length(asp_error *error, const char *name, double value);

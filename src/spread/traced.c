@@ -8,7 +8,7 @@
  * one flight over a profile eight times as long.
  *
  * In space a profile is one cut of a wall that is alike in all directions: after a hit the flight
- * continues at another place of it (places.h), and the path of a disc is scaled to that of a
+ * continues at another place of that cut (places.h), and the path of a disc is scaled to that of a
  * sphere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
