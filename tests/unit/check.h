@@ -1,9 +1,11 @@
-/* What the unit tests share: cmocka's headers in the order it wants, and a comparison of doubles
- * (its own is of floats).
+/* Shared by the unit tests: cmocka's headers in the order it wants, behind all others, as it has a
+ * macro `fail`; a comparison of doubles (its own is of floats); and walls from words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_TEST_CHECK_H
 #define ASP_TEST_CHECK_H
+
+#include "asperity_internal.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -12,9 +14,13 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
 #include <cmocka.h>
-
-#include "asperity_internal.h"
+#ifdef __cplusplus
+}
+#endif
 
 /* Fails unless |is - should| <= tolerance; prints both. */
 static inline void check_near(double is, double should, double tolerance, const char *file,
@@ -25,5 +31,13 @@ static inline void check_near(double is, double should, double tolerance, const 
   _fail(file, line);
 }
 #define assert_near(is, should, tolerance) check_near(is, should, tolerance, __FILE__, __LINE__)
+
+static inline asp_wall *wall_from(const char *text, double d_p) {
+  asp_error error;
+  asp_wall *wall = asp_wall_from_text(text, d_p, d_p, &error);
+  if (!wall)
+    fail_msg("'%s': %s", text, error.text);
+  return wall;
+}
 
 #endif

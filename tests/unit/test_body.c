@@ -14,14 +14,6 @@ static const double up[3] = {0, 0, 1};
 #define D 2e-3
 #define RHO 2500.0
 
-static asp_wall *wall_from(const char *text) {
-  asp_error error = {.code = ASP_OK};
-  asp_wall *wall = asp_wall_from_text(text, D, D, &error);
-  if (!wall)
-    fail_msg("%s: %s", text, error.text);
-  return wall;
-}
-
 static double between(aspi_stream *s, double low, double high) {
   return low + (high - low) * aspi_stream_uniform(s);
 }
@@ -55,7 +47,7 @@ static void dumbbells(void **state) {
   for (int i = 0; i < 3; i++) {
     char text[80];
     snprintf(text, sizeof text, "rebound walton %g 0 0 deposit off", of[i][0]);
-    asp_wall *wall = wall_from(text);
+    asp_wall *wall = wall_from(text, D);
     double sum = 0, squares = 0;
     for (int k = 0; k < N; k++) {
       double c = cor_n(wall, asin((k + 0.5) / N));
@@ -104,7 +96,7 @@ static void a_sphere_is_a_body(void **state) {
     if (law)
       words_of(law, words, sizeof words);
     snprintf(text, sizeof text, "surface sigma 12 rebound %s", law ? words : some[k]);
-    asp_wall *wall = wall_from(text);
+    asp_wall *wall = wall_from(text, D);
     for (uint64_t i = 0; i < 300; i++) {
       vec v = random_vec(&s), w = wall->spins ? scaled(random_vec(&s), 2 / D) : (vec){0, 0, 0};
       v = scaled((vec){v.x, v.y, -fabs(v.z)}, 10);
@@ -179,7 +171,7 @@ static vec in_small_steps(const asp_body *body, vec arm, vec m, vec u, double e,
 
 /* A body wears as the mass that meets the wall: of a dumbbell 1/(1 + q) of it. */
 static void bodies_wear_by_the_mass_that_hits(void **state) {
-  asp_wall *wall = wall_from("rebound walton 0.9 0.3 0 erosion dnv density 7800 deposit off");
+  asp_wall *wall = wall_from("rebound walton 0.9 0.3 0 erosion dnv density 7800 deposit off", D);
   const double v1[3] = {0, 0, -3};
   const asp_key key = {1, 1, 1, 1, 0};
   asp_particle particle = {.d_p = D, .density = RHO};
@@ -240,7 +232,7 @@ static void energy_and_momentum(void **state) {
 
 /* A deposit holds the whole body; the law takes the effective mass, which decides. */
 static void sticks_as_a_whole(void **state) {
-  asp_wall *wall = wall_from("rebound bons materials quartz 304-ss yield_stress 200MPa");
+  asp_wall *wall = wall_from("rebound bons materials quartz 304-ss yield_stress 200MPa", D);
   int stuck = 0;
   double last = 0;
   for (int i = 0; i <= 40; i++) { /* the effective mass grows with the angle */
@@ -272,7 +264,8 @@ static void eccentric_grains(void **state) {
   }
   for (int rough = 0; rough < 2; rough++) {
     asp_wall *wall = wall_from(rough ? "surface sigma 10 rebound walton 0.8 0.3 0 grain lever 0.1"
-                                     : "rebound walton 0.8 0 0 grain lever 0.02");
+                                     : "rebound walton 0.8 0 0 grain lever 0.02",
+                               D);
     aspi_stream stream = aspi_stream_begin(&(asp_key){8, 1, 1, 1, 0});
     for (uint64_t i = 0; i < N; i++) {
       asp_particle particle = {.d_p = D, .density = RHO};
@@ -298,7 +291,7 @@ static void eccentric_grains(void **state) {
 
 /* A grain without spin leaves a wall of any direction, with no more energy. */
 static void eccentric_grains_of_all_walls(void **state) {
-  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
+  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05", D);
   for (int of = 0; of < 27; of++) {
     double n[3] = {of % 3 - 1, of / 3 % 3 - 1, of / 9 - 1}, v1[3];
     asp_particle particle = {.d_p = D, .density = RHO};
@@ -317,7 +310,7 @@ static void eccentric_grains_of_all_walls(void **state) {
 
 /* The mass of an eccentric grain turns it: a grain without one is refused. */
 static void eccentric_grains_have_a_density(void **state) {
-  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
+  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05", D);
   const asp_particle particle = {.d_p = D, .omega = {1, 2, 3}};
   const double v1[3] = {1, 0, -1};
   asp_impact is;

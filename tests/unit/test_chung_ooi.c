@@ -5,15 +5,7 @@
  * Multiphysics have them, rounded.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "asperity_internal.h"
-
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <cmocka.h>
+#include "check.h"
 
 typedef struct point {
   double x, y;
@@ -21,12 +13,8 @@ typedef struct point {
 
 static asp_wall *wall_of(const char *law) {
   char text[200];
-  asp_error error = {.code = ASP_OK};
   snprintf(text, sizeof text, "rebound %s deposit off", law);
-  asp_wall *wall = asp_wall_from_text(text, 0, 0, &error);
-  if (!wall)
-    fail_msg("%s: %s", text, error.text);
-  return wall;
+  return wall_from(text, 0);
 }
 
 /* A sphere of radius 1 on the plane z = 0: with the speed v_t along it, v_n toward it, and such a

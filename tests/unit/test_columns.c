@@ -4,15 +4,9 @@
 #include "base/ledger_columns.h"
 #include "description/description.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+
+#include "check.h"
 
 #define COLUMN(ID, name, type, text) {name, text},
 static const struct {

@@ -2,19 +2,13 @@
  * along the path, and the nearest of all triangles, one by one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "contact/contact.h"
 #include "contact/tree.h"
 #include "contact/vector.h"
+
+#include "check.h"
 
 enum { SAMPLES = 2000, CASES = 1000 };
 

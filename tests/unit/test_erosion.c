@@ -4,15 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "check.h"
 
 /* One impact on a wall of these words, at v under alpha (degrees), of a grain of diameter d. */
 static double worn(const char *words, const asp_units *units, double v, double alpha, double d,
@@ -34,10 +26,7 @@ static double worn(const char *words, const asp_units *units, double v, double a
 
 #define WALTON " rebound walton 0.9 0.3 0 "
 
-static void is_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance * fabs(expected)))
-    fail_msg("%.15g is not %.15g", value, expected);
-}
+#define is_near(value, expected, tolerance) assert_near(value, expected, (tolerance)*fabs(expected))
 
 static void laws_have_their_closed_forms(void **state) {
   const double a = 10 * ASP_PI / 180, b = 60 * ASP_PI / 180;
@@ -50,13 +39,10 @@ static void laws_have_their_closed_forms(void **state) {
           1e-9);
   is_near(worn("erosion finnie 1GPa share 0.1 density 7800" WALTON, NULL, 50, 60, 1e-4, 1),
           0.1 * 7800 * 2500 / 4e9 * cos(b) * cos(b) / 3, 1e-12);
-  is_near(worn("erosion dnv" WALTON, NULL, 30, 60, 1e-4, 1),
-          2e-9 * pow(30, 2.6) * 0.6 * pow(sin(b) + 7.2 * (sin(b) - 0.75), 0.6) * (1 - exp(-20 * b)),
-          1e-12);
+  is_near(worn("erosion dnv" WALTON, NULL, 30, 60, 1e-4, 1), 2e-9 * pow(30, 2.6) * 0.8253466255,
+          1e-9); /* F by hand */
   is_near(worn("erosion ecrc 120 grains semi_rounded" WALTON, NULL, 30, 10, 1e-4, 1),
-          2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) *
-              (5.4 * a - 10.11 * a * a + 10.93 * pow(a, 3) - 6.33 * pow(a, 4) + 1.42 * pow(a, 5)),
-          1e-12);
+          2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) * 0.6869760235, 1e-9); /* F by hand */
 }
 
 /* At its reference speed and diameter a law of Oka is K (a H)^(k1 b) at normal impact, where
@@ -94,7 +80,7 @@ static void kinds_have_their_constants(void **state) {
                {"sio2", 65, -0.12, 2.361388, 0.19, 104, 326e-6, 0.7823526, 1.2509589},
                {"sic", 45, -0.05, 3.182063, 0.19, 99, 326e-6, 0.7823526, 1.4},
                {"glass", 27, -0.16, 2.1, 0.19, 100, 200e-6, 3.7203203, 0.9450821}};
-  const double sine = sin(25 * ASP_PI / 180), a = 25 * ASP_PI / 180;
+  const double sine = sin(25 * ASP_PI / 180);
   for (int i = 0; i < 3; i++) {
     char words[100];
     snprintf(words, sizeof words, "erosion oka 2GPa particles %s density 7850" WALTON,
@@ -111,9 +97,7 @@ static void kinds_have_their_constants(void **state) {
     char words[100];
     snprintf(words, sizeof words, "erosion ecrc 150 grains %s density 7800" WALTON, forms[i]);
     is_near(worn(words, NULL, 20, 25, 1e-4, 1),
-            2.17e-7 * pow(150, -0.59) * sharpness[i] * pow(20, 2.41) *
-                (5.4 * a - 10.11 * a * a + 10.93 * pow(a, 3) - 6.33 * pow(a, 4) + 1.42 * pow(a, 5)),
-            1e-12);
+            2.17e-7 * pow(150, -0.59) * sharpness[i] * pow(20, 2.41) * 1.132380882, 1e-9);
   }
 }
 

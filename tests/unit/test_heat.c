@@ -9,16 +9,8 @@
 
 static const double up[3] = {0, 0, 1};
 
-static asp_wall *wall_of(const char *text) {
-  asp_error error;
-  asp_wall *wall = asp_wall_from_text(text, 0, 0, &error);
-  if (!wall)
-    fail_msg("%s: %s", text, error.text);
-  return wall;
-}
-
 static double share_of(const char *text, double kelvin) {
-  asp_wall *wall = wall_of(text);
+  asp_wall *wall = wall_from(text, 0);
   double share;
   assert_int_equal(asp_wall_sticking(wall, kelvin, &share, NULL), ASP_OK);
   asp_wall_free(wall);
@@ -51,7 +43,7 @@ static void shares_by_hand(void **state) {
   snprintf(text, sizeof text, "%s viscosity.csv", words);
   assert_near(share_of(text, 1150), 1e-7, 1e-15);
   assert_near(share_of(text, 1400), 1e-3, 1e-12);
-  asp_wall *wall = wall_of(text);
+  asp_wall *wall = wall_from(text, 0);
   asp_error error;
   for (double kelvin = 1099; kelvin < 1500; kelvin += 302) {
     assert_int_equal(asp_wall_sticking(wall, kelvin, NULL, &error), ASP_ERANGE);
@@ -103,7 +95,7 @@ static void sticks_with_that_share(void **state) {
     for (int k = 0; k < 4; k++) {
       snprintf(text, sizeof text, "%s deposit freeze viscosity critical 1e4 vft -4.5 9000 500",
                walls[w]);
-      asp_wall *hot = wall_of(text), *cold = wall_of(walls[w]);
+      asp_wall *hot = wall_from(text, 0), *cold = wall_from(walls[w], 0);
       const double kelvin = 1350 + 50 * k, p = fmin(1, pow(10, 8.5 - 9000 / (kelvin - 500)));
       const int stuck = count_stuck(hot, cold, kelvin, k % 2 ? 0.1 : 1.5, k == 1 ? &body : NULL);
       assert_near(stuck, IMPACTS * p, 4 * sqrt(IMPACTS * p * (1 - p)) + 0.5);
@@ -116,8 +108,9 @@ static void sticks_with_that_share(void **state) {
 static void unknown_is_an_error(void **state) {
   (void)state;
   asp_wall *wall =
-      wall_of("rebound walton 0.8 0.3 0 deposit freeze viscosity critical 1e4 vft -4.5 "
-              "9000 500");
+      wall_from("rebound walton 0.8 0.3 0 deposit freeze viscosity critical 1e4 vft -4.5 "
+                "9000 500",
+                0);
   const asp_key key = {1, 2, 3, 4, 0};
   const double v[3] = {1, 0, -1}, none[] = {0, 400};
   asp_impact impact;

@@ -5,17 +5,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/held.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "contact/vector.h"
 
-extern "C" { /* behind the others: it has macros that are names of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 

@@ -1,20 +1,13 @@
 /* The lay of a description, and as shapes that move and turn take it along.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <memory>
 #include <string>
 
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 

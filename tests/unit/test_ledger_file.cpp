@@ -3,10 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/ledger_file.h"
 
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -17,9 +14,8 @@
 #include <memory>
 
 #include "dem/error.h"
-extern "C" {
-#include <cmocka.h>
-}
+
+#include "check.h"
 
 using namespace asperity;
 

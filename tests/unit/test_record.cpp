@@ -4,16 +4,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/record.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
 #include <memory>
 
 #include "dem/error.h"
 #include "dem/text.h"
-extern "C" {
-#include <cmocka.h>
-}
+
+#include "check.h"
 
 using namespace asperity;
 

@@ -5,22 +5,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
 #include "dem/text.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 

@@ -1,6 +1,6 @@
 /* Laws that turn the particle: measured oblique impacts, rolling, sticking, energy; and the law of
  * Thornton & Ning against its limits, an integrated contact and the curve of Johnson, Kendall &
- * Roberts; and what a flow takes away.
+ * Roberts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "choice.h"
@@ -278,68 +278,6 @@ static void published_adhesive_plastic_impacts(void **state) {
   assert_near(sticks, 1.42, 0.03);
 }
 
-/* Shares of deposits that a flow leaves for 1 s, as measured (Reeks & Hall 2001, alumina on steel,
- * d 10 um, digitized), with surface energy 0.28: mean over adhesion of exp(-p t). And a rate that
- * is the rocking itself where the flow pulls more than the deposit holds. */
-static void a_flow_takes_away(void **state) {
-  static const asp_pair pair = {50e9, 2e9, 0.28, 0.3, 0, 0, 0};
-  static const double measured[][2] = {
-      {0.258, 0.996}, {0.381, 0.941}, {0.525, 0.886}, {1.497, 0.150}, {3.135, 0.061}};
-  enum { N = 20000 };
-  asp_particle particle = {.d_p = 10e-6, .density = 3950, .pair = &pair, .gas = ASP_GAS_FLOWS};
-  aspi_wall_choice choice = choice_of("bons");
-  choice.flow = (aspi_flow){.density = 1.2, .viscosity = 1.5e-5, .micron = 1e-6};
-  asp_wall *wall = wall_of(&choice);
-  for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
-    double stays = 0, by_draw = 0;
-    particle.u_tau = measured[i][0];
-    for (uint64_t tag = 1; tag <= N; tag++) {
-      asp_removal its = asp_wall_removal(wall, &particle, &(asp_key){1, 1, tag, 1, 0});
-      assert_true(its.rate >= 0 && its.rate <= 0.00658 * particle.u_tau * particle.u_tau / 1.5e-5);
-      stays += exp(-its.rate) / N;
-      by_draw += (double)!(its.rate > its.most) / N;
-    }
-    assert_near(stays, measured[i][1], 0.07);
-    assert_near(by_draw, stays, 0.02);
-  }
-  particle.u_tau = 100;
-  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate, 0.00658e4 / 1.5e-5,
-              1e-3);
-  particle.gas = ASP_GAS_AT_REST; /* whatever the words say */
-  asp_wall_free(wall);
-  choice.flow.u_tau = 100;
-  wall = wall_of(&choice);
-  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate, 0, 0);
-  particle.gas = ASP_GAS_NONE;
-  assert_true(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate > 0);
-  asp_wall_free(wall);
-}
-
-/* One surface energy: a flow must pull as hard as JKR's (3/2) pi Gamma R, of the work of adhesion
- * Gamma by which Thornton & Ning's elastic sphere sticks (v_s = 1.84 (Gamma^5/(R^5 rho^3
- * E^2))^(1/6)), to take it away at the full rate. */
-static void holds_by_what_it_sticks(void **state) {
-  const asp_pair pair = {118e9, 1e12, 0.1, 0.3, 0, 0, 0};
-  const double r = 10e-6, rho = 7850, nu = 1.5e-5, u = 0.5, full = 0.00658 * u * u / nu;
-  double sticks, in_wall = r * u / nu;
-  best_of(2 * r, rho, &pair, &sticks);
-  double work = r * pow(pow(sticks / 1.84, 6) * pow(rho, 3) * 118e9 * 118e9, 0.2);
-  double pull = 10.45 * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
-  asp_particle particle = {
-      .d_p = 2 * r, .density = rho, .pair = &pair, .u_tau = u, .gas = ASP_GAS_FLOWS};
-  for (int i = 0; i < 2; i++) { /* with 0.7 of that, and 1.1 of it */
-    aspi_wall_choice choice = choice_of("thornton_ning");
-    choice.flow = (aspi_flow){.density = (i ? 1.1 : 0.7) * 1.5 * M_PI * work * r / pull,
-                              .viscosity = nu,
-                              .adhesion = 1,
-                              .spread = 1,
-                              .micron = 1e-6};
-    asp_wall *wall = wall_of(&choice);
-    assert_int_equal(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate < full, !i);
-    asp_wall_free(wall);
-  }
-}
-
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(measured_oblique_impacts),
@@ -350,8 +288,6 @@ int main(void) {
       cmocka_unit_test(limits_of_thornton_and_ning),
       cmocka_unit_test(adhesive_plastic_contact_as_integrated),
       cmocka_unit_test(published_adhesive_plastic_impacts),
-      cmocka_unit_test(a_flow_takes_away),
-      cmocka_unit_test(holds_by_what_it_sticks),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
