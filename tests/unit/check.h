@@ -1,5 +1,6 @@
 /* Shared by the unit tests: cmocka's headers in the order it wants, behind all others, as it has a
- * macro `fail`; a comparison of doubles (its own is of floats); and walls from words.
+ * macro `fail`; a list of the tests of a file, each by TEST(its_name); a comparison of doubles
+ * (cmocka's own is of floats); and walls from words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_TEST_CHECK_H
@@ -21,6 +22,23 @@ extern "C" {
 #ifdef __cplusplus
 }
 #endif
+
+__attribute__((unused)) static struct CMUnitTest listed_tests[64];
+__attribute__((unused)) static size_t n_listed_tests;
+
+/* Defines a test, which may use its `state`, and adds it to the list; TEST_BETWEEN runs it between
+ * two functions that set up and clean up. */
+#define TEST_BETWEEN(name, before, after)                                                          \
+  static void name(void **state);                                                                  \
+  __attribute__((constructor)) static void list_##name(void) {                                     \
+    listed_tests[n_listed_tests++] = (struct CMUnitTest){#name, name, before, after, NULL};        \
+  }                                                                                                \
+  static void name(void **state)
+#define TEST(name) TEST_BETWEEN(name, NULL, NULL)
+
+/* Runs the tests of the file, between two functions or NULL; for its main(). */
+#define RUN_TESTS(before, after)                                                                   \
+  _cmocka_run_group_tests(__FILE__, listed_tests, n_listed_tests, before, after)
 
 /* Fails unless |is - should| <= tolerance; prints both. */
 static inline void check_near(double is, double should, double tolerance, const char *file,

@@ -20,8 +20,7 @@ static double share_of(const char *text, double kelvin) {
 /* By hand: vft at 1300 K 10^(-4.5 + 9000/800) = 10^6.75 Pa s. Watt & Fereday for
  * 36, 20.8, 4.9, 13.3 and 25 %: m 0.316608, c -1.6786; at 1250 K 10^(4.6310 - 1.6786 - 1) Pa s. A
  * table in between. */
-static void shares_by_hand(void **state) {
-  (void)state;
+TEST(shares_by_hand) {
   const char *vft = "rebound walton 0.8 0.3 0 deposit freeze viscosity vft -4.5 9000 500 critical";
   const char *watt = "rebound walton 0.8 0.3 0 deposit freeze viscosity critical 10 watt";
   char text[200];
@@ -83,8 +82,7 @@ static int count_stuck(const asp_wall *wall, const asp_wall *cold, double kelvin
   return stuck;
 }
 
-static void sticks_with_that_share(void **state) {
-  (void)state;
+TEST(sticks_with_that_share) {
   static const char *const walls[] = {
       "rebound walton 0.8 0.3 0", "surface rq 5e-6 lambda_c 40e-6 rebound walton 0.8 0.3 0",
       "surface rq 5e-6 lambda_c 40e-6 rebound bons materials quartz hastelloy-x surface_energy 0"};
@@ -105,8 +103,7 @@ static void sticks_with_that_share(void **state) {
 }
 
 /* The particle keeps its velocity, and the code says why. */
-static void unknown_is_an_error(void **state) {
-  (void)state;
+TEST(unknown_is_an_error) {
   asp_wall *wall =
       wall_from("rebound walton 0.8 0.3 0 deposit freeze viscosity critical 1e4 vft -4.5 "
                 "9000 500",
@@ -147,8 +144,7 @@ static double work_of_adhesion(double gamma) {
  * contact of Hertz that adheres by its largest area with the energy 0.34 v^0.5 (SI): (1/2) m v^2 =
  * 0.34 v^0.5 A(v). With that energy the contact above has the same speed but for the area's path:
  * 0.83 of it. */
-static void modulus_of_el_batsh(void **state) {
-  (void)state;
+TEST(modulus_of_el_batsh) {
   static const double kelvin[] = {1000, 1100, 1200, 1300, 1400, 1500};
   const double d = 1e-5, rho = 2650, nu = 0.27, r = d / 2, mass = rho * ASP_PI / 6 * d * d * d;
   for (int i = 0; i < 6; i++) {
@@ -192,8 +188,5 @@ static void modulus_of_el_batsh(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(shares_by_hand), cmocka_unit_test(sticks_with_that_share),
-      cmocka_unit_test(unknown_is_an_error), cmocka_unit_test(modulus_of_el_batsh)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

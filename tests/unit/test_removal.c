@@ -23,7 +23,7 @@ static double sticking_speed(double d_p, double density, const asp_pair *pair) {
 /* Shares of deposits that a flow leaves for 1 s, as measured (Reeks & Hall 2001, alumina on steel,
  * d 10 um, digitized), with surface energy 0.28: mean over adhesion of exp(-p t). And a rate that
  * is the rocking itself where the flow pulls more than the deposit holds. */
-static void a_flow_takes_away(void **state) {
+TEST(a_flow_takes_away) {
   static const asp_pair pair = {50e9, 2e9, 0.28, 0.3, 0, 0, 0};
   static const double measured[][2] = {
       {0.258, 0.996}, {0.381, 0.941}, {0.525, 0.886}, {1.497, 0.150}, {3.135, 0.061}};
@@ -60,7 +60,7 @@ static void a_flow_takes_away(void **state) {
 /* One surface energy: a flow must pull as hard as JKR's (3/2) pi Gamma R, of the work of adhesion
  * Gamma by which Thornton & Ning's elastic sphere sticks (v_s = 1.84 (Gamma^5/(R^5 rho^3
  * E^2))^(1/6)), to take it away at the full rate. */
-static void holds_by_what_it_sticks(void **state) {
+TEST(holds_by_what_it_sticks) {
   const asp_pair pair = {118e9, 1e12, 0.1, 0.3, 0, 0, 0};
   const double r = 10e-6, rho = 7850, nu = 1.5e-5, u = 0.5, full = 0.00658 * u * u / nu;
   const double sticks = sticking_speed(2 * r, rho, &pair), in_wall = r * u / nu;
@@ -82,7 +82,5 @@ static void holds_by_what_it_sticks(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(a_flow_takes_away),
-                                     cmocka_unit_test(holds_by_what_it_sticks)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

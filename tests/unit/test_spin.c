@@ -35,7 +35,7 @@ static const double still[3] = {0, 0, 0};
 
 /* Kharaz, Gorham & Salman 2001: 5 mm alumina on glass, 3.9 m/s, e 0.98, mu 0.092. Sliding needs no
  * other constant; between sliding and normal impact the contact gives way. */
-static void measured_oblique_impacts(void **state) {
+TEST(measured_oblique_impacts) {
   static const double measured[][2] = {{30.16, .9019}, {40.45, .8469}, {50.70, .7719},
                                        {59.78, .6883}, {69.92, .5964}, {80.37, .6728},
                                        {86.07, .7450}};
@@ -55,7 +55,7 @@ static void measured_oblique_impacts(void **state) {
 
 /* Where it sticks: 5/7 without spin, 2/7 of the surface's speed without flight, and the surface
  * goes on with -beta0 times its speed; a particle that rolls already loses nothing. */
-static void sticks_and_rolls(void **state) {
+TEST(sticks_and_rolls) {
   asp_wall *wall = smooth("walton 1 100 0");
   double v1[3] = {1, 0, -2}, r = 2.5e-3, down[3] = {0, 0, -2};
   asp_impact impact = hit(wall, NULL, v1, still);
@@ -76,7 +76,7 @@ static void sticks_and_rolls(void **state) {
 }
 
 /* Bons with spin: the law's own impulse as long as it is small, rolling where it is large. */
-static void bons_takes_part(void **state) {
+TEST(bons_takes_part) {
   static const asp_pair pair = {50e9, 2e9, 0, 0.1, 0, 0, 0};
   asp_wall *off = smooth("bons"), *on = smooth("bons spin on");
   for (double alpha = 0.05; alpha < 1.5; alpha += 0.05) {
@@ -98,7 +98,7 @@ static double energy(const double v[3], const double w[3], double r) {
 }
 
 /* Over random walls, constants, flights and spins, through later hits too. */
-static void energy_with_spin_never_grows(void **state) {
+TEST(energy_with_spin_never_grows) {
   static const char *const laws[] = {"walton", "bons", "thornton_ning"};
   static const asp_pair pair = {50e9, 2e8, 0, 0.4, 0, 0, 0};
   asp_surface *surface = asp_surface_create(0.15, 1, NULL);
@@ -182,14 +182,14 @@ static double integrated(double speed, double pressure) {
   return 1;
 }
 
-static void plastic_contact_as_integrated(void **state) {
+TEST(plastic_contact_as_integrated) {
   double pressure = 1e9, v_y = yields_at(pressure);
   for (double ratio = 1.1; ratio < 2000; ratio *= 2.5)
     assert_near(restitution(ratio * v_y, pressure, 0), integrated(ratio * v_y, pressure), 2e-3);
 }
 
 /* Their own closed form above yield, its limits, and the elastic contact that adheres. */
-static void limits_of_thornton_and_ning(void **state) {
+TEST(limits_of_thornton_and_ning) {
   double pressure = 1e9, v_y = yields_at(pressure);
   assert_near(restitution(0.999 * v_y, pressure, 0), 1, 1e-12);
   assert_near(restitution(1.0001 * v_y, pressure, 0), 1, 1e-3);
@@ -243,7 +243,7 @@ static double integrated_with_adhesion(double speed, double pressure, double gam
   return back > 0 ? sqrt(back / (2 * M_PI / 3 * R * R * R * RHO)) / speed : 0;
 }
 
-static void adhesive_plastic_contact_as_integrated(void **state) {
+TEST(adhesive_plastic_contact_as_integrated) {
   for (double pressure = 1e7; pressure < 2e9; pressure *= 10)
     for (double speed = 1e-3; speed < 50; speed *= 3)
       assert_near(restitution(speed, pressure, 0.5), integrated_with_adhesion(speed, pressure, 0.5),
@@ -265,7 +265,7 @@ static double best_of(double d_p, double density, const asp_pair *pair, double *
 
 /* Their figure 10 by a digest: 10 um, of the constants that give its v_y 0.62 and v_s 0.016 m/s at
  * 3.04 GPa. And ammonium fluorescein on silicon (Pasha et al. 2014, digest): about 1.6 m/s. */
-static void published_adhesive_plastic_impacts(void **state) {
+TEST(published_adhesive_plastic_impacts) {
   static const double figure[][3] = {{3.04e9, 1, 0.016}, {1e9, 0.9, 0.016}, {0.5e9, 0.5, 0.032}};
   double sticks;
   for (int i = 0; i < 3; i++) {
@@ -279,15 +279,5 @@ static void published_adhesive_plastic_impacts(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(measured_oblique_impacts),
-      cmocka_unit_test(sticks_and_rolls),
-      cmocka_unit_test(bons_takes_part),
-      cmocka_unit_test(energy_with_spin_never_grows),
-      cmocka_unit_test(plastic_contact_as_integrated),
-      cmocka_unit_test(limits_of_thornton_and_ning),
-      cmocka_unit_test(adhesive_plastic_contact_as_integrated),
-      cmocka_unit_test(published_adhesive_plastic_impacts),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }
