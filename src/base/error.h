@@ -13,6 +13,9 @@ __attribute__((format(printf, 3, 4)))
 asp_code
 aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 
+/* The same for functions that return a pointer: NULL. */
+#define aspi_fail_null(...) (aspi_fail(__VA_ARGS__), NULL)
+
 /* ASP_EDATA and "<path>:<line>: <message>"; line 0: there are none. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))

@@ -195,10 +195,8 @@ bool aspi_description_complete(aspi_completions *completions, int count, const c
 }
 
 asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error) {
-  if (!text) {
-    aspi_fail(error, ASP_EARG, "the text of a description is NULL");
-    return NULL;
-  }
+  if (!text)
+    return aspi_fail_null(error, ASP_EARG, "the text of a description is NULL");
   asp_description *d = aspi_description_create(units, error);
   char *words = d ? aspi_words_copy(text, error) : NULL;
   asp_code code = words ? parse(d, words, error) : ASP_ENOMEM;
