@@ -33,7 +33,7 @@ __attribute__((unused)) static size_t n_listed_tests;
   __attribute__((constructor)) static void list_##name(void) {                                     \
     listed_tests[n_listed_tests++] = (struct CMUnitTest){#name, name, before, after, NULL};        \
   }                                                                                                \
-  static void name(void **state)
+  static void name(__attribute__((unused)) void **state)
 #define TEST(name) TEST_BETWEEN(name, NULL, NULL)
 
 /* Runs the tests of the file, between two functions or NULL; for its main(). */
