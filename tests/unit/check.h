@@ -23,15 +23,21 @@ extern "C" {
 }
 #endif
 
-__attribute__((unused)) static struct CMUnitTest listed_tests[64];
-__attribute__((unused)) static size_t n_listed_tests;
+static struct CMUnitTest listed_tests[64];
+static size_t n_listed_tests;
+
+static inline void list_test(const char *name, CMUnitTestFunction run, CMFixtureFunction before,
+                             CMFixtureFunction after) {
+  const struct CMUnitTest test = {name, run, before, after, NULL};
+  listed_tests[n_listed_tests++] = test;
+}
 
 /* Defines a test, which may use its `state`, and adds it to the list; TEST_BETWEEN runs it between
  * two functions that set up and clean up. */
 #define TEST_BETWEEN(name, before, after)                                                          \
   static void name(void **state);                                                                  \
   __attribute__((constructor)) static void list_##name(void) {                                     \
-    listed_tests[n_listed_tests++] = (struct CMUnitTest){#name, name, before, after, NULL};        \
+    list_test(#name, name, before, after);                                                         \
   }                                                                                                \
   static void name(__attribute__((unused)) void **state)
 #define TEST(name) TEST_BETWEEN(name, NULL, NULL)
