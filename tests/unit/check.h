@@ -32,14 +32,14 @@ static inline void list_test(const char *name, CMUnitTestFunction run, CMFixture
   listed_tests[n_listed_tests++] = test;
 }
 
-/* Defines a test, which may use its `state`, and adds it to the list; TEST_BETWEEN runs it between
- * two functions that set up and clean up. */
+/* Defines a test and adds it to the list; TEST_BETWEEN runs it between two functions that set up
+ * and clean up. */
 #define TEST_BETWEEN(name, before, after)                                                          \
-  static void name(void **state);                                                                  \
+  static void name(void **nothing);                                                                \
   __attribute__((constructor)) static void list_##name(void) {                                     \
     list_test(#name, name, before, after);                                                         \
   }                                                                                                \
-  static void name(__attribute__((unused)) void **state)
+  static void name(__attribute__((unused)) void **nothing)
 #define TEST(name) TEST_BETWEEN(name, NULL, NULL)
 
 /* Runs the tests of the file, between two functions or NULL; for its main(). */

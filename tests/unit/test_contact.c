@@ -12,10 +12,10 @@
 
 enum { SAMPLES = 2000, CASES = 1000 };
 
-static uint32_t drawn = 12345;
+static uint32_t state = 12345;
 static double uniform(double lo, double hi) {
-  drawn = (uint32_t)(((uint64_t)drawn * 48271) % 2147483647);
-  return lo + (hi - lo) * drawn / 2147483647.0;
+  state = (uint32_t)(((uint64_t)state * 48271) % 2147483647);
+  return lo + (hi - lo) * state / 2147483647.0;
 }
 
 static void random_vector(double size, double v[3]) {
