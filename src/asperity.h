@@ -249,8 +249,8 @@ double asp_wall_slope(const asp_wall *wall, double d_p);
 
 /* ---- heights of a measured wall -------------------------------------------------------------- */
 /* Heights of a wall at equal spacing: over an area, row after row, or along a line, which is one
- * row. A profile that is not periodic continues beyond its ends as its mirror image. Lengths are in
- * any one unit. */
+ * row; read from files (asperity_engine.h) also several such lines of one wall. A profile that is
+ * not periodic continues beyond its ends as its mirror image. Lengths are in any one unit. */
 typedef struct asp_heights asp_heights;
 
 /* Copies z[rows * columns], row after row: at least three finite numbers per row, and one row or at

@@ -109,6 +109,10 @@ bool asp_warning(const asp_check_input *input, int index, char *text, size_t siz
  * lines of x, y, z on a grid, in columns of these names or in exactly three columns. Closed formats
  * are refused with the name of a free program that converts them.
  *
+ * Several profiles of one wall are a list of files, `A,B,C`, unless a file of that name exists.
+ * They may differ in length, spacing and unit. Each is leveled by itself and nothing is joined at
+ * their ends; the wall's numbers and its faces are those of all, each by its length.
+ *
  * The mean line or plane is subtracted; bad points and gaps are refused. `text`, of `size`
  * characters (NULL: none): one sentence about points, form, positions and columns. *doubt:
  * ASP_EDATA and a message if the heights are doubtful: dust (points far off all neighbors),

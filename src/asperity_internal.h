@@ -78,7 +78,7 @@ int asp_surface_bins(const asp_surface *surface);
 double asp_surface_bin_d_p(const asp_surface *surface, int bin);
 
 /* The standard error of the mean tilt at an impact angle of 2 degrees that comes from the length of
- * the profile, as a part of sigma: about 1.1 over the root of the length in correlation lengths. 0
+ * all profiles, as a part of sigma: about 1.1 over the root of it in correlation lengths. 0
  * for walls without a profile. */
 double asp_surface_uncertainty(const asp_surface *surface);
 

@@ -50,13 +50,20 @@ typedef struct course {
   double d_p;
 } course;
 
-static asp_code course_create(course *made, const aspi_judge_case *subject, size_t number,
-                              int flight, asp_error *error) {
-  asp_heights *path = subject->profile ? NULL : path_of(subject, number, flight, error);
-  const asp_heights *over = subject->profile ? subject->profile : path;
-  *made = (course){.d_p = subject->profile ? subject->d_p : 1e-6 * subject->lambda_c};
+/* Over one of the measured profiles; NULL: over a generated one. */
+static asp_code course_create(course *made, const aspi_judge_case *subject,
+                              const asp_heights *measured, size_t number, int flight,
+                              asp_error *error) {
+  asp_heights one, *path = measured ? NULL : path_of(subject, number, flight, error);
+  const asp_heights *over = path;
+  if (measured) {
+    one = *measured;
+    one.next = NULL;
+    over = &one;
+  }
+  *made = (course){.d_p = measured ? subject->d_p : 1e-6 * subject->lambda_c};
   asp_code code =
-      over ? aspi_field_create(&made->field, over, subject->profile ? subject->d_p : 0, NULL, error)
+      over ? aspi_field_create(&made->field, over, measured ? subject->d_p : 0, NULL, error)
            : error->code;
   if (!code && !(made->wall = aspi_judge_wall_over(subject, over, made->d_p, "traced", error)))
     code = error->code;
@@ -91,19 +98,27 @@ static asp_code add_first_hits(const aspi_field *field, double degrees, double p
 /* Adds the rebounds of a group at all angles, and its first hits; called by several threads. */
 static asp_code fly_group(aspi_judge *judge, const aspi_judge_case *subject, const double *degrees,
                           size_t number, asp_error *error) {
-  int flights = subject->profile ? 1 : FLIGHTS;
-  size_t all = (size_t)flights * subject->groups, rays = subject->rays / all + 1;
+  const asp_heights *measured = subject->profile;
+  int flights = measured ? 0 : FLIGHTS;
+  for (const asp_heights *h = measured; h; h = h->next)
+    flights++;
   asp_code code = ASP_OK;
   for (int flight = 0; flight < flights && !code; flight++) {
+    double part = 1. / FLIGHTS;
+    if (measured)
+      part = aspi_profile_length(measured) / aspi_heights_extent(subject->profile).total;
+    part /= (double)subject->groups;
+    size_t rays = (size_t)((double)subject->rays * part) + 1;
     course over;
-    code = course_create(&over, subject, number, flight, error);
+    code = course_create(&over, subject, measured, number, flight, error);
     for (size_t k = 0; k < judge->count && !code; k++) {
       uint32_t seed = subject->seed + (uint32_t)number * (uint32_t)flights + (uint32_t)flight;
       aspi_angles found = aspi_judge_rebounds(over.wall, over.d_p, degrees[k], rays, seed);
       aspi_angles_merge(&judge->angles[number * judge->count + k], &found);
-      code = add_first_hits(&over.field, degrees[k], 1. / (double)all, &judge->first[k], error);
+      code = add_first_hits(&over.field, degrees[k], part, &judge->first[k], error);
     }
     course_free(&over);
+    measured = measured ? measured->next : NULL;
   }
   return code;
 }

@@ -91,19 +91,23 @@ static aspi_profile_options read_options(const cli_call *call) {
 
 static void print_measured(FILE *out, const cli_measured *m) {
   const asp_heights_numbers *n = &m->numbers;
-  double spacing = m->heights->step[0], length = (double)m->heights->columns * spacing;
+  double length = aspi_heights_extent(m->heights).total;
+  size_t points = 0, profiles = 0;
+  for (const asp_heights *h = m->heights; h; h = h->next, profiles++)
+    points += h->columns;
   fputs("# profile ", out);
   cli_print_comment(out, m->name);
   fprintf(out, ": %s\n", m->report.text);
   fprintf(out,
           "# length %.6g um, spacing %.6g um, %zu points; R_q %.6g um, R_a %.6g um, lambda_c (1/e "
           "lag) %.6g um, phi_r %.4g, rms slope %.4g\n",
-          length * 1e6, spacing * 1e6, m->heights->columns, n->s_q * 1e6, n->s_a * 1e6,
+          length * 1e6, length / (double)points * 1e6, points, n->s_q * 1e6, n->s_a * 1e6,
           n->lambda_1 * 1e6, n->s_q / n->lambda_1, n->s_dq);
   fprintf(out,
-          "# %.4g lambda_c long: one such profile leaves the mean tilt at 2 deg uncertain by about "
-          "%.2g %% of sigma\n",
-          length / n->lambda_1, 100 * ASP_LENGTH_ERROR(length / n->lambda_1));
+          "# %.4g lambda_c long: %s leaves the mean tilt at 2 deg uncertain by about %.2g %% of "
+          "sigma\n",
+          length / n->lambda_1, profiles > 1 ? "this" : "one such profile",
+          100 * ASP_LENGTH_ERROR(length / n->lambda_1));
 }
 
 /* Reads and describes a file. Warns of the reader's doubts, and of a sampling that is too coarse
@@ -344,6 +348,8 @@ static void run_profiles(const cli_call *call, const walls *all, const cli_descr
             wall.profile->step[0] * 1e6);
   print_rows(out, rows, count, measured);
   cli_file_close(out);
+  if (cli_value(call, "save") && wall.profile->next)
+    cli_bad_usage("--save is given with several profiles; it takes one");
   if (cli_value(call, "save"))
     save(call, wall.profile);
   if (cli_value(call, "plot"))
@@ -392,8 +398,9 @@ static const char detail[] =
     "kl_normal is D_KL (natural logarithm) of the normal fit to the angles, in bins of sd/4.\n"
     "sigma is that of a disc on this profile, tilt_sigma that of the tilt of a wall of these\n"
     "words: of a sphere, and of rq and lambda_c.\n"
-    "A generated profile is periodic, a measured\n"
-    "one is mirrored at its ends. rq and lambda_c may be lists: 'surface rq 2um,5um\n"
+    "A generated profile is periodic, a measured one is mirrored at its ends. Of several\n"
+    "profiles, 'surface profile a.csv,b.csv', the numbers are those of all by their lengths,\n"
+    "and the picture is of the first. rq and lambda_c may be lists: 'surface rq 2um,5um\n"
     "lambda_c 40um:120um:40um' has a row per wall and diameter. For a map the output has the\n"
     "parameters of ISO 25178-2, the lay, and the slopes that a sphere meets across the lay\n"
     "and along it. FILE is text, SDF, SUR (Digital Surf) or X3P; other formats of instruments\n"

@@ -59,9 +59,8 @@ static void add_surface(report *r, const asp_check_input *input) {
       asp_description_word(d, "tilt"), asp_description_word(d, "collisions"));
   if (asp_surface_uncertainty(s) > 0)
     add(r,
-        "\n  one profile of this length leaves the mean tilt at 2 deg uncertain by about %.2g %% "
-        "of "
-        "sigma",
+        "\n  the length of the profile, or of all, leaves the mean tilt at 2 deg uncertain by "
+        "about %.2g %% of sigma",
         100 * asp_surface_uncertainty(s));
   if (!d->file && !d->spread)
     add(r,

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 aspi_profile_options aspi_profile_options_default(void) {
   return (aspi_profile_options){.meter = 1, .form = 1, .row = 1, .missing = NAN};
@@ -63,14 +64,10 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *o, aspi_ra
              : aspi_read_sdf(text, format == ASP_FORMAT_SDF_BINARY, o, raw, error);
 }
 
-asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
-                       const aspi_profile_options *options, aspi_profile_report *report,
-                       asp_error *error) {
-  aspi_profile_options defaults = aspi_profile_options_default();
-  aspi_profile_report own;
+static asp_heights *read_one(FILE *stream, const char *path, bool is_map,
+                             const aspi_profile_options *options, aspi_profile_report *report,
+                             asp_error *error) {
   aspi_raw raw = {.path = path, .is_map = is_map};
-  options = options ? options : &defaults;
-  report = report ? report : &own;
   *report = (aspi_profile_report){0};
   FILE *file = stream ? stream : aspi_file_open(path, error);
   if (!file)
@@ -98,6 +95,57 @@ asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
     raw.z[i] *= options->meter;
   const double step[] = {raw.step[0] * options->meter, raw.step[is_map] * options->meter};
   return aspi_heights_adopt(raw.z, raw.columns, raw.rows, step, false, error);
+}
+
+/* Adds the texts of a file's report, with its name. */
+static void add_report(aspi_profile_report *all, const char *name, const aspi_profile_report *one) {
+  const char *between = *all->text ? "; " : "";
+  aspi_append(all->text, sizeof all->text, "%s%s: %s", between, name, one->text);
+  between = *all->warnings ? "; " : "";
+  if (*one->warnings)
+    aspi_append(all->warnings, sizeof all->warnings, "%s%s: %s", between, name, one->warnings);
+}
+
+/* A chain of the profiles of several files; `names` is cut. */
+static asp_heights *read_list(char *names, const aspi_profile_options *options,
+                              aspi_profile_report *report, asp_error *error) {
+  asp_heights *first = NULL, **end = &first;
+  asp_error wrong = {.code = ASP_OK};
+  *report = (aspi_profile_report){0};
+  for (char *name; !wrong.code && (name = aspi_text_field(&names, ','));
+       end = *end ? &(*end)->next : end) {
+    aspi_profile_report one;
+    if (!*name || strcmp(name, "-") == 0)
+      aspi_fail(&wrong, ASP_EARG, "one of several profiles is '%s'; it must be the name of a file",
+                name);
+    else if ((*end = read_one(NULL, name, false, options, &one, &wrong)))
+      add_report(report, name, &one);
+  }
+  if (!wrong.code)
+    return first;
+  const char *hint = wrong.code == ASP_EFILE
+                         ? "; commas separate names of profiles, unless a name is in quotes"
+                         : "";
+  aspi_fail(error, wrong.code, "%s%s", wrong.text, hint);
+  asp_heights_free(first);
+  return NULL;
+}
+
+asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
+                       const aspi_profile_options *options, aspi_profile_report *report,
+                       asp_error *error) {
+  aspi_profile_options defaults = aspi_profile_options_default();
+  aspi_profile_report own;
+  options = options ? options : &defaults;
+  report = report ? report : &own;
+  if (stream || is_map || !strchr(path, ',') || access(path, F_OK) == 0)
+    return read_one(stream, path, is_map, options, report, error);
+  char *names = strdup(path);
+  asp_heights *heights = names ? read_list(names, options, report, error) : NULL;
+  if (!names)
+    aspi_fail(error, ASP_ENOMEM, "out of memory for the names of profiles");
+  free(names);
+  return heights;
 }
 
 asp_heights *asp_heights_read(const char *path, bool is_map, double meter, char *text, size_t size,

@@ -42,8 +42,9 @@ typedef struct aspi_profile_report {
 } aspi_profile_report;
 
 /* Reads a measured profile or map from a stream at its beginning, or where that is NULL from the
- * file `path`, levels and repairs it as the options ask; see asp_heights_read. NULL for `options`:
- * the defaults; for `report`: none. NULL on error; the message names file and line. */
+ * file `path`, or profiles of one wall from several files, `A,B,C`; levels and repairs them as the
+ * options ask; see asp_heights_read. NULL for `options`: the defaults; for `report`: none. NULL on
+ * error; the message names file and line. */
 asp_heights *aspi_read(FILE *stream, const char *path, bool is_map,
                        const aspi_profile_options *options, aspi_profile_report *report,
                        asp_error *error);

@@ -106,7 +106,8 @@ asp_code aspi_sampling_check(double d_p, double spacing, double length, double l
   if (!(length >= ASPI_LENGTHS_LEAST * lambda))
     aspi_append(
         doubt, sizeof doubt,
-        "%sthe measured wall is only %.3g correlation lengths long; under %g its numbers "
+        "%sthe measured wall is at its shortest only %.3g correlation lengths long; under %g its "
+        "numbers "
         "carry a large sampling error; for a curved part, remove the form (asperity surface "
         "--form 2 --save FILE)",
         *doubt ? "; " : "", length / lambda, ASPI_LENGTHS_LEAST);

@@ -36,6 +36,10 @@ typedef struct aspi_field {
  * many peaks. */
 double aspi_fall_least(double r_q, double length);
 
+static inline double aspi_field_length(const aspi_field *field) {
+  return (double)field->cells[0] * field->step[0];
+}
+
 /* False: the gradient at a hit comes from the heights. */
 static inline bool aspi_field_has_gradients(const aspi_field *field) {
   return field->stride > 1;

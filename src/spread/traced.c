@@ -19,6 +19,7 @@
 #include "surface/rolling.h"
 #include "surface/size_law.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -39,9 +40,10 @@ typedef struct relief {
 typedef struct fields {
   aspi_sizes sizes;
   bool is_map;
-  double lay;    /* of a map: direction from x to y */
-  bool moves;    /* in space over a profile: flights that turn continue elsewhere (places.h) */
-  int fields;    /* of a size: 1, or the generated profile and its negative */
+  double lay; /* of a map: direction from x to y */
+  bool moves; /* in space over a profile: flights that turn continue elsewhere (places.h) */
+  bool generated;
+  int fields; /* of a size: of a map 1, of each profile, or of the generated one and its negative */
   relief wall[]; /* of each size, one after the other */
 } fields;
 
@@ -75,10 +77,13 @@ static aspi_grid grid_of(const asp_heights *map, const asp_surface *surface) {
 
 /* The field of a wall for one size; `made`: a generated profile, which is smooth, or NULL. */
 static asp_code fill(aspi_field *field, const aspi_height_field *of, const asp_heights *made,
-                     double d_p, asp_error *error) {
+                     double d_p, int number, asp_error *error) {
   if (of->heights) {
-    const aspi_grid grid = grid_of(of->heights, of->surface);
-    return aspi_field_create(field, of->heights, d_p, &grid, error);
+    const asp_heights *one = of->heights;
+    while (number-- > 0)
+      one = one->next;
+    const aspi_grid grid = grid_of(one, of->surface);
+    return aspi_field_create(field, one, d_p, &grid, error);
   }
   asp_heights *path = aspi_profile_rolled(made, d_p, 1, error);
   asp_code code = path ? aspi_field_create(field, path, 0, NULL, error) : error->code;
@@ -91,7 +96,7 @@ static asp_code fill_one(fields *t, const aspi_height_field *of, const asp_heigh
                          int number, int bin, asp_error *error) {
   relief *wall = &t->wall[t->fields * bin + number];
   double d_p = aspi_sizes_at(&t->sizes, bin);
-  asp_code code = fill(&wall->field, of, made, d_p, error);
+  asp_code code = fill(&wall->field, of, made, d_p, number, error);
   if (code || !t->moves)
     return code;
   double ratio = aspi_sphere_over_disc(asp_surface_kappa(of->surface, d_p));
@@ -100,7 +105,8 @@ static asp_code fill_one(fields *t, const aspi_height_field *of, const asp_heigh
   return aspi_row_places_create(&wall->places, &wall->field, error);
 }
 
-/* The fields of all sizes over the wall, or over a generated profile (0) or its negative (1). */
+/* The fields of all sizes over a map or a profile, or over a generated one (0) or its negative (1).
+ */
 static asp_code fill_all(fields *t, const aspi_height_field *of, int number, asp_error *error) {
   asp_heights *made = NULL;
   if (!of->heights) {
@@ -123,7 +129,9 @@ static void *prepare(const aspi_height_field *of, const aspi_sizes *sizes, asp_e
   asp_heights_numbers d = {0};
   if (aspi_sizes_check(sizes, error) || (is_map && asp_heights_describe(of->heights, &d, error)))
     return NULL;
-  int number = generated ? 2 : 1, bins = sizes->bins;
+  int number = generated ? 2 : 0, bins = sizes->bins;
+  for (const asp_heights *one = of->heights; one; one = one->next)
+    number++;
   if (generated && asp_surface_kappa(of->surface, sizes->most) < ASPI_KAPPA_NO_FILTER)
     bins = 1; /* all sizes meet the same slopes */
   fields *t = calloc(1, sizeof *t + (size_t)(bins * number) * sizeof *t->wall);
@@ -131,13 +139,26 @@ static void *prepare(const aspi_height_field *of, const aspi_sizes *sizes, asp_e
     aspi_fail(error, ASP_ENOMEM, "out of memory for %d dilated walls", bins * number);
     return NULL;
   }
-  *t = (fields){{sizes->least, sizes->most, bins}, is_map, d.lay, of->in_space && !is_map, number};
+  *t = (fields){{sizes->least, sizes->most, bins}, is_map,    d.lay,
+                of->in_space && !is_map,           generated, number};
   for (int i = 0; i < number; i++)
     if (fill_all(t, of, i, error)) {
       release(t);
       return NULL;
     }
   return t;
+}
+
+/* One of several profiles, by their lengths; *u: the share of all, becomes that of this one. */
+static int choose(const relief *wall, int count, double *u) {
+  double all = 0;
+  int i = 0;
+  for (int k = 0; k < count; k++)
+    all += aspi_field_length(&wall[k].field);
+  for (*u *= all; i + 1 < count && *u >= aspi_field_length(&wall[i].field); i++)
+    *u -= aspi_field_length(&wall[i].field);
+  *u = fmin(*u / aspi_field_length(&wall[i].field), 1 - DBL_EPSILON);
+  return i;
 }
 
 /* Puts the particle over the wall; over generated profiles, in either direction. */
@@ -150,12 +171,13 @@ static void enter(const fields *t, const aspi_spread_input *view, aspi_stream *s
     v = aspi_stream_uniform(stream);
     path->azimuth = view->has_azimuth ? t->lay - ASP_PI / 2 + view->azimuth
                                       : 2 * ASP_PI * aspi_stream_uniform(stream);
-  } else if (t->fields > 1) {
+  } else if (t->generated) {
     int way = (int)(4 * u);
     u = 4 * u - way;
     path->field += way % 2;
     path->back = way / 2;
-  }
+  } else if (t->fields > 1)
+    path->field += choose(&t->wall[path->field], t->fields, &u);
   path->spot = aspi_field_enter(&t->wall[path->field].field, u, v);
 }
 

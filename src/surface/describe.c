@@ -30,23 +30,37 @@
 
 enum { TILE_MOST = 1024, DIRECTIONS = 180 };
 
-static void describe_heights(const asp_heights *h, asp_heights_numbers *d) {
-  const double *z = h->z;
-  size_t n = h->columns * h->rows;
-  double lo, hi;
-  d->mean = gsl_stats_mean(z, 1, n);
-  gsl_stats_minmax(&lo, &hi, z, 1, n);
-  d->s_q = sqrt(gsl_stats_variance_with_fixed_mean(z, 1, n, d->mean));
-  d->s_a = gsl_stats_absdev_m(z, 1, n, d->mean);
-  d->s_sk = gsl_stats_skew_m_sd(z, 1, n, d->mean, d->s_q);
-  d->s_ku = gsl_stats_kurtosis_m_sd(z, 1, n, d->mean, d->s_q) + 3; /* GSL's is the excess */
-  d->s_p = hi - d->mean;
-  d->s_v = d->mean - lo;
+/* The share of a profile in the length of all; of a map 1. */
+static double share_of(const asp_heights *h, const asp_heights *all) {
+  return h->rows > 1 ? 1 : aspi_profile_length(h) / aspi_heights_extent(all).total;
+}
+
+static void describe_heights(const asp_heights *all, asp_heights_numbers *d) {
+  double square = 0, skew = 0, excess = 0;
+  for (const asp_heights *h = all; h; h = h->next) {
+    size_t n = h->columns * h->rows;
+    double lo, hi, mean = gsl_stats_mean(h->z, 1, n), part = share_of(h, all);
+    gsl_stats_minmax(&lo, &hi, h->z, 1, n);
+    d->mean += part * mean;
+    square += part * gsl_stats_variance_with_fixed_mean(h->z, 1, n, mean);
+    d->s_a += part * gsl_stats_absdev_m(h->z, 1, n, mean);
+    d->s_p = fmax(d->s_p, hi - mean);
+    d->s_v = fmax(d->s_v, mean - lo);
+  }
+  d->s_q = sqrt(square);
+  for (const asp_heights *h = all; h; h = h->next) {
+    size_t n = h->columns * h->rows;
+    double mean = gsl_stats_mean(h->z, 1, n), part = share_of(h, all);
+    skew += part * gsl_stats_skew_m_sd(h->z, 1, n, mean, d->s_q);
+    excess += part * gsl_stats_kurtosis_m_sd(h->z, 1, n, mean, d->s_q);
+  }
+  d->s_sk = skew;
+  d->s_ku = excess + 3; /* GSL's is the excess */
   d->s_z = d->s_p + d->s_v;
 }
 
-/* The rms gradient, by differences of neighbors along both axes. */
-static double gradient_rms(const asp_heights *h) {
+/* The mean square gradient, by differences of neighbors along both axes. */
+static double gradient_square(const asp_heights *h) {
   double sum = 0;
   for (int axis = 0; axis < (h->rows > 1 ? 2 : 1); axis++) {
     double square = 0, count = 0;
@@ -62,7 +76,7 @@ static double gradient_rms(const asp_heights *h) {
       }
     sum += square / count;
   }
-  return sqrt(sum);
+  return sum;
 }
 
 void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
@@ -81,8 +95,10 @@ void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay
   }
 }
 
-/* The autocorrelation at lags up to half a tile either way, row after row, lag 0 in the middle. */
+/* The autocorrelation of a map or of one of several profiles, at lags up to half a tile either way,
+ * row after row, lag 0 in the middle. */
 typedef struct correlation {
+  const asp_heights *of;
   size_t reach[2];
   double *values;
 } correlation;
@@ -97,13 +113,12 @@ static void correlate(double *data, size_t columns, size_t rows, double *room) {
   aspi_fft2(data, columns, rows, true, room);
 }
 
-static void load_tile(const asp_heights *h, const asp_heights_numbers *d, const size_t first[2],
+static void load_tile(const asp_heights *h, double mean, double s_q, const size_t first[2],
                       const size_t size[2], size_t columns, size_t rows, double *data) {
   memset(data, 0, 2 * columns * rows * sizeof *data);
   for (size_t j = 0; j < size[1]; j++)
     for (size_t i = 0; i < size[0]; i++)
-      data[2 * (j * columns + i)] =
-          (h->z[(first[1] + j) * h->columns + first[0] + i] - d->mean) / d->s_q;
+      data[2 * (j * columns + i)] = (h->z[(first[1] + j) * h->columns + first[0] + i] - mean) / s_q;
 }
 
 /* The sum of products at lag (u, v), of data padded with zeros; if the tile `wraps`, with those
@@ -133,7 +148,7 @@ static void add_lags(correlation *c, const double *data, const long padded[2], c
     }
 }
 
-static asp_code autocorrelation(const asp_heights *h, const asp_heights_numbers *d, correlation *c,
+static asp_code autocorrelation(const asp_heights *h, double s_q, correlation *c,
                                 asp_error *error) {
   bool is_map = h->rows > 1;
   size_t size[2] = {is_map && h->columns > TILE_MOST ? TILE_MOST : h->columns,
@@ -141,7 +156,8 @@ static asp_code autocorrelation(const asp_heights *h, const asp_heights_numbers 
   bool wraps = h->periodic && size[0] == h->columns && size[1] == h->rows;
   size_t columns = aspi_power_of_two(2 * size[0]),
          rows = is_map ? aspi_power_of_two(2 * size[1]) : 1;
-  *c = (correlation){{size[0] / 2, size[1] / 2}, NULL};
+  double mean = gsl_stats_mean(h->z, 1, h->columns * h->rows);
+  *c = (correlation){h, {size[0] / 2, size[1] / 2}, NULL};
   size_t lags = (2 * c->reach[0] + 1) * (2 * c->reach[1] + 1);
   c->values = calloc(lags, sizeof *c->values);
   double *weight = calloc(lags, sizeof *weight);
@@ -149,7 +165,7 @@ static asp_code autocorrelation(const asp_heights *h, const asp_heights_numbers 
   bool made = c->values && weight && data && room;
   for (size_t j = 0; made && j + size[1] <= h->rows; j += size[1])
     for (size_t i = 0; i + size[0] <= h->columns; i += size[0]) {
-      load_tile(h, d, (const size_t[2]){i, j}, size, columns, rows, data);
+      load_tile(h, mean, s_q, (const size_t[2]){i, j}, size, columns, rows, data);
       correlate(data, columns, rows, room);
       add_lags(c, data, (const long[2]){(long)columns, (long)rows},
                (const long[2]){(long)size[0], (long)size[1]}, wraps, weight);
@@ -167,7 +183,7 @@ static asp_code autocorrelation(const asp_heights *h, const asp_heights_numbers 
 }
 
 /* Between the lags, bilinear; x and y in steps. */
-static double at_lag(const correlation *c, double x, double y) {
+static double at_lag_of(const correlation *c, double x, double y) {
   size_t width = 2 * c->reach[0] + 1, height = 2 * c->reach[1] + 1;
   double u = x + (double)c->reach[0], v = y + (double)c->reach[1];
   size_t i = (size_t)u, j = (size_t)v;
@@ -178,19 +194,33 @@ static double at_lag(const correlation *c, double x, double y) {
   return (1 - v) * ((1 - u) * z[0] + u * z[right]) + v * ((1 - u) * z[up] + u * z[up + right]);
 }
 
+/* The mean over profiles that reach so far, each by the length of its products. NAN: none does. */
+static double at_lag(const correlation *c, size_t count, double x, double y) {
+  double sum = 0, all = 0;
+  for (; count > 0; count--, c++) {
+    double u = x / c->of->step[0], v = y / c->of->step[1];
+    if (fabs(u) > (double)c->reach[0] || fabs(v) > (double)c->reach[1])
+      continue;
+    double length = aspi_profile_length(c->of) - fabs(x);
+    sum += length * at_lag_of(c, u, v);
+    all += length;
+  }
+  return sum / all;
+}
+
 /* The distance at which the autocorrelation first falls to the level along a direction; 0 if it
  * does not fall that far. */
-static double contour(const asp_heights *h, const correlation *c, double angle, double level) {
-  double ex = cos(angle) / h->step[0], ey = sin(angle) / h->step[1];
-  double step = 1 / fmax(fabs(ex), fabs(ey)), before = 1;
-  double whole = at_lag(c, 0, 0);
+static double contour(const correlation *c, size_t count, double angle, double level) {
+  double x = cos(angle), y = sin(angle), step = INFINITY, before = 1;
+  for (size_t i = 0; i < count; i++)
+    step = fmin(step, 1 / fmax(fabs(x / c[i].of->step[0]), fabs(y / c[i].of->step[1])));
+  double whole = at_lag(c, count, 0, 0);
   for (size_t k = 1;; k++) {
-    double r = (double)k * step, x = r * ex, y = r * ey;
-    if (fabs(x) > (double)c->reach[0] || fabs(y) > (double)c->reach[1])
-      return 0;
-    double here = at_lag(c, x, y) / whole;
+    double r = (double)k * step, here = at_lag(c, count, r * x, r * y) / whole;
     if (here <= level)
       return r - step * (level - here) / (before - here);
+    if (!(here > level))
+      return 0;
     before = here;
   }
 }
@@ -218,11 +248,8 @@ static void describe_axes(const double m[3], asp_heights_numbers *d) {
   d->lay = fmod(angle + 2 * ASP_PI, ASP_PI);
 }
 
-static asp_code describe_lengths(const asp_heights *h, asp_heights_numbers *d, asp_error *error) {
-  correlation c;
-  asp_code code = autocorrelation(h, d, &c, error);
-  if (code)
-    return code;
+static asp_code describe_contours(const asp_heights *h, const correlation *c, size_t profiles,
+                                  asp_heights_numbers *d, asp_error *error) {
   int directions = h->rows > 1 ? DIRECTIONS : 1;
   double point[DIRECTIONS][2], m[3], most = 0;
   size_t count = 0;
@@ -230,7 +257,8 @@ static asp_code describe_lengths(const asp_heights *h, asp_heights_numbers *d, a
   bool long_enough = true;
   for (int k = 0; k < directions; k++) {
     double angle = ASP_PI * k / DIRECTIONS;
-    double r = contour(h, &c, angle, LEVEL_1_E), far = contour(h, &c, angle, LEVEL_S_AL);
+    double r = contour(c, profiles, angle, LEVEL_1_E),
+           far = contour(c, profiles, angle, LEVEL_S_AL);
     if (r > 0) {
       point[count][0] = r * cos(angle);
       point[count++][1] = r * sin(angle);
@@ -241,7 +269,6 @@ static asp_code describe_lengths(const asp_heights *h, asp_heights_numbers *d, a
     }
     long_enough = long_enough && far > 0;
   }
-  free(c.values);
   d->s_tr = long_enough ? d->s_al / most : NAN;
   if (directions == 1 && count == 1) {
     d->lambda_1 = d->lambda_2 = point[0][0];
@@ -257,12 +284,31 @@ static asp_code describe_lengths(const asp_heights *h, asp_heights_numbers *d, a
   return ASP_OK;
 }
 
+static asp_code describe_lengths(const asp_heights *all, asp_heights_numbers *d, asp_error *error) {
+  size_t most = 0, n = 0;
+  for (const asp_heights *h = all; h; h = h->next)
+    most++;
+  correlation *c = malloc(most * sizeof *c);
+  asp_code code = c ? ASP_OK : aspi_fail(error, ASP_ENOMEM, "out of memory for %zu profiles", most);
+  for (const asp_heights *h = all; h && !code; h = h->next) {
+    code = autocorrelation(h, d->s_q, &c[n], error);
+    n += !code;
+  }
+  code = code ? code : describe_contours(all, c, n, d, error);
+  while (n > 0)
+    free(c[--n].values);
+  free(c);
+  return code;
+}
+
 asp_code asp_heights_describe(const asp_heights *h, asp_heights_numbers *numbers,
                               asp_error *error) {
   const char *kind = aspi_kind_of_rows(h->rows);
   asp_heights_numbers d = {0};
   describe_heights(h, &d);
-  d.s_dq = gradient_rms(h);
+  for (const asp_heights *one = h; one; one = one->next)
+    d.s_dq += share_of(one, h) * gradient_square(one);
+  d.s_dq = sqrt(d.s_dq);
   if (!isfinite(d.s_q) || !isfinite(d.s_dq))
     return aspi_fail(error, ASP_EDATA, "the heights of the %s are too large to work with", kind);
   if (!(d.s_q > ASPI_ROUNDING_DOUBLE * fabs(h->z[0])))
@@ -275,7 +321,8 @@ asp_code asp_heights_describe(const asp_heights *h, asp_heights_numbers *numbers
 static asp_code check(const asp_heights *h, const asp_heights_numbers *d, asp_error *error) {
   bool is_map = h->rows > 1;
   double phi_r = d->s_q / d->lambda_1;
-  if (d->lambda_1 < SPACINGS_LEAST * (is_map ? fmin(h->step[0], h->step[1]) : h->step[0]))
+  if (d->lambda_1 <
+      SPACINGS_LEAST * (is_map ? fmin(h->step[0], h->step[1]) : aspi_heights_extent(h).spacing))
     return aspi_fail(
         error, ASP_EDATA,
         "the %scorrelation length, %g, is less than %g spacings of the points: this "
@@ -290,10 +337,19 @@ static asp_code check(const asp_heights *h, const asp_heights_numbers *d, asp_er
   return ASP_OK;
 }
 
-/* The heights of the center of a sphere over a map, or of a disc over a profile. */
+/* The heights of the center of a disc over profiles. */
+static asp_heights *paths(const asp_heights *h, double d_p, asp_error *error) {
+  asp_heights *path = aspi_profile_path(h, d_p, h->columns, error);
+  if (!path || !h->next || (path->next = paths(h->next, d_p, error)))
+    return path;
+  asp_heights_free(path);
+  return NULL;
+}
+
+/* The same, or those of a sphere over a map. */
 static asp_heights *rolled(const asp_heights *h, double d_p, asp_error *error) {
   if (h->rows == 1)
-    return aspi_profile_path(h, d_p, h->columns, error);
+    return paths(h, d_p, error);
   size_t n = h->columns * h->rows;
   aspi_ball *ball = aspi_ball_create(h, d_p, error);
   double *z = ball ? aspi_allocate(n) : NULL;

@@ -29,7 +29,7 @@ asp_heights *aspi_heights_adopt(double *z, size_t columns, size_t rows, const do
               aspi_kind_of_rows(rows), columns, rows);
     return NULL;
   }
-  *heights = (asp_heights){columns, rows, {step[0], step[1]}, periodic, z};
+  *heights = (asp_heights){columns, rows, {step[0], step[1]}, periodic, z, NULL};
   return heights;
 }
 
@@ -149,9 +149,11 @@ asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, do
 }
 
 void asp_heights_free(asp_heights *heights) {
-  if (heights)
+  for (asp_heights *next; heights; heights = next) {
+    next = heights->next;
     free(heights->z);
-  free(heights);
+    free(heights);
+  }
 }
 
 asp_heights *aspi_profile_mirrored(const asp_heights *profile, asp_error *error) {
@@ -163,10 +165,17 @@ asp_heights *aspi_profile_mirrored(const asp_heights *profile, asp_error *error)
 }
 
 aspi_extent aspi_heights_extent(const asp_heights *h) {
-  double length = (double)h->columns * h->step[0];
-  return h->rows > 1 ? (aspi_extent){fmax(h->step[0], h->step[1]),
-                                     fmin(length, (double)h->rows * h->step[1])}
-                     : (aspi_extent){h->step[0], length};
+  if (h->rows > 1) {
+    double side = fmin(aspi_profile_length(h), (double)h->rows * h->step[1]);
+    return (aspi_extent){fmax(h->step[0], h->step[1]), side, side};
+  }
+  aspi_extent all = {0, INFINITY, 0};
+  for (; h; h = h->next) {
+    double length = aspi_profile_length(h);
+    all =
+        (aspi_extent){fmax(all.spacing, h->step[0]), fmin(all.length, length), all.total + length};
+  }
+  return all;
 }
 
 /* ---- Fourier transforms ---- */

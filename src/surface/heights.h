@@ -6,12 +6,16 @@
 
 #include "asperity_internal.h"
 
-/* Row after row, x along a row. A profile is a map with one row; step[1] is not used. */
+/* Row after row, x along a row. A profile is a map with one row; step[1] is not used. Several
+ * profiles of one wall are a chain: each has a spacing and a mean of its own, nothing is joined at
+ * their ends, and numbers of the wall are means by length. Functions of one path or slope after the
+ * other take the first one alone, which their names say by `profile`. */
 struct asp_heights {
   size_t columns, rows;
   double step[2]; /* between columns, between rows */
   bool periodic;
   double *z;
+  asp_heights *next; /* NULL: the last, or a map */
 };
 
 /* A wall shorter than this, in correlation lengths, tells little about its roughness. */
@@ -27,9 +31,14 @@ static inline const char *aspi_kind_of_rows(size_t rows) {
   return rows > 1 ? "map" : "profile";
 }
 
-/* The widest spacing and the shortest side. */
+/* The length of one profile. */
+static inline double aspi_profile_length(const asp_heights *profile) {
+  return (double)profile->columns * profile->step[0];
+}
+
+/* The widest spacing, the shortest profile or side, and that or the length of all profiles. */
 typedef struct aspi_extent {
-  double spacing, length;
+  double spacing, length, total;
 } aspi_extent;
 aspi_extent aspi_heights_extent(const asp_heights *heights);
 

@@ -313,7 +313,7 @@ asp_heights *aspi_profile_rolled(const asp_heights *profile, double d_p, int par
 
 asp_heights *aspi_profile_path(const asp_heights *profile, double d_p, size_t most,
                                asp_error *error) {
-  double length = aspi_heights_extent(profile).length;
+  double length = aspi_profile_length(profile);
   if (aspi_check_positive(error, "d_p", "", d_p))
     return NULL;
   if (d_p > length) {

@@ -55,32 +55,52 @@ double aspi_kl_normal(const double *values, size_t count, double mean, double sd
   return sum;
 }
 
+/* Against the rounding of ratios of steps. */
+#define ROUND_UP (1 + 1e-12)
+
 /* Points of a path, unless its profile has more. */
 #define PATH_MOST ((size_t)1 << 21)
 
-asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, double *out, size_t *count,
-                             asp_error *error) {
+/* Between points at this step; *count is how many there are. */
+static asp_code slopes_at(const asp_heights *profile, double d_p, double step, double *out,
+                          size_t *count, asp_error *error) {
   asp_error wrong;
   asp_heights *path = aspi_profile_path(profile, d_p, PATH_MOST, &wrong);
   if (!path)
     return aspi_fail(error, wrong.code, "%s", wrong.text);
-  size_t fine = path->columns, parts = (size_t)lround(profile->step[0] / path->step[0]);
-  *count = profile->periodic ? profile->columns : profile->columns - 1;
+  size_t fine = path->columns, cells = profile->columns - !profile->periodic;
+  double parts = step / path->step[0], every = profile->step[0] / step;
+  *count = (size_t)(ROUND_UP * every * (double)cells);
   for (size_t i = 0; i < *count; i++) {
-    size_t at = i * parts + parts / 2;
+    size_t at = (size_t)(ROUND_UP * parts * ((double)i + 0.5));
     out[i] = (path->z[at + 1 < fine ? at + 1 : 0] - path->z[at]) / path->step[0];
   }
   asp_heights_free(path);
   return ASP_OK;
 }
 
+asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, double *out, size_t *count,
+                             asp_error *error) {
+  return slopes_at(profile, d_p, profile->step[0], out, count, error);
+}
+
+/* Slopes of all profiles at the closest spacing, so that each counts by its length. */
 asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_slopes *slopes,
                                       asp_error *error) {
-  size_t count = profile->columns;
-  double *values = aspi_allocate(count);
+  double step = profile->step[0];
+  size_t count = 0, most = 0, found;
+  for (const asp_heights *h = profile; h; h = h->next)
+    step = fmin(step, h->step[0]);
+  for (const asp_heights *h = profile; h; h = h->next)
+    most += (size_t)(aspi_profile_length(h) / step) + 1;
+  double *values = aspi_allocate(most);
   if (!values)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", count);
-  asp_code code = aspi_profile_slopes(profile, d_p, values, &count, error);
+    return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu slopes", most);
+  asp_code code = ASP_OK;
+  for (const asp_heights *h = profile; h && !code; h = h->next) {
+    code = slopes_at(h, d_p, step, values + count, &found, error);
+    count += code ? 0 : found;
+  }
   if (code == ASP_OK) {
     *slopes = (aspi_slopes){.slope = aspi_moments_of(values, count)};
     slopes->slope_rms = hypot(slopes->slope.mean, slopes->slope.sd);

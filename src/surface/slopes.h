@@ -25,12 +25,13 @@ void aspi_histogram(const double *values, size_t count, double mean, double sd,
  * independent values is about B/(2N) too high, where B is the number of bins that have values. */
 double aspi_kl_normal(const double *values, size_t count, double mean, double sd);
 
-/* Slopes that a rolling disc meets in the middle between neighboring points, into `out`; *count is
- * how many there are: the number of points, one less on a profile that is not periodic. */
+/* Slopes that a disc, rolling over the first profile, meets in the middle between neighboring
+ * points, into `out`; *count is how many there are: the number of points, one less on a profile
+ * that is not periodic. */
 asp_code aspi_profile_slopes(const asp_heights *profile, double d_p, double *out, size_t *count,
                              asp_error *error);
 
-/* The contact slopes of a profile for one particle size, in numbers. */
+/* The contact slopes of all profiles for one particle size, in numbers. */
 typedef struct aspi_slopes {
   double slope_rms;          /* s_eff */
   aspi_moments slope, angle; /* angle in rad */

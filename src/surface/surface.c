@@ -170,12 +170,11 @@ asp_surface *asp_surface_create_lay(double r_q, double lambda_c, double lambda_a
 
 static asp_code check_bins(const asp_heights *profile, double d_min, double d_max, int bins,
                            asp_error *error) {
-  double spacing = profile->step[0];
-  double length = (double)profile->columns * spacing;
-  if (!(d_min >= spacing && d_min <= d_max && d_max <= length))
+  aspi_extent extent = aspi_heights_extent(profile);
+  if (!(d_min >= extent.spacing && d_min <= d_max && d_max <= extent.length))
     return aspi_fail(error, ASP_EARG,
                      "d_p is %g to %g; the profile's spacing and length allow %g to %g", d_min,
-                     d_max, spacing, length);
+                     d_max, extent.spacing, extent.length);
   if (bins < 1 || bins > ASP_BINS_MAX)
     return aspi_fail(error, ASP_EARG, "bins are %d; they must be 1 to %d", bins, (int)ASP_BINS_MAX);
   return ASP_OK;
@@ -214,7 +213,7 @@ asp_surface *asp_surface_create_profile(const asp_heights *profile, double d_min
   surface->slope = d.s_dq;
   surface->curvature = aspi_kappa(1, surface->phi_r, d.lambda_1);
   surface->bins = bins;
-  surface->uncertainty = ASP_LENGTH_ERROR((double)profile->columns * profile->step[0] / d.lambda_1);
+  surface->uncertainty = ASP_LENGTH_ERROR(aspi_heights_extent(profile).total / d.lambda_1);
   if (set_by_profile(surface, profile, d_min, d_max, error)) {
     free(surface);
     return NULL;

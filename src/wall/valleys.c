@@ -276,9 +276,10 @@ static void turn_round(line *l) {
 }
 
 /* In space both ways, and with the lower slopes of a sphere. */
-static bool fill_profile(class *k, const aspi_height_field *of, line *l, asp_error *error) {
+static bool fill_profile(class *k, const aspi_height_field *of, const asp_heights *profile, line *l,
+                         asp_error *error) {
   double d_p = 2 * l->radius, ratio = 1;
-  asp_heights *path = aspi_profile_path(of->heights, d_p, PATH_MOST, error);
+  asp_heights *path = aspi_profile_path(profile, d_p, PATH_MOST, error);
   if (!path)
     return false;
   if (of->in_space)
@@ -337,8 +338,11 @@ static bool fill_all(aspi_valleys *v, const aspi_height_field *of, double lay, a
               .p = room + most,
               .q = room + 2 * most};
     class *at = &v->class[i * v->directions];
-    ok = of->heights->rows > 1 ? fill_map(at, v->directions, of, lay, &l, error)
-                               : fill_profile(at, of, &l, error);
+    if (of->heights->rows > 1)
+      ok = fill_map(at, v->directions, of, lay, &l, error);
+    else
+      for (const asp_heights *one = of->heights; one && ok; one = one->next)
+        ok = fill_profile(at, of, one, &l, error);
     for (class *k = at; k < at + v->directions && ok; k++) {
       put_in_order(&k->start);
       put_in_order(&k->height);

@@ -5,6 +5,7 @@
 source "$(dirname "$0")/engine.sh"
 root=$(cd "$here/../.." && pwd)
 "$bin/asperity" surface surface rq 8um lambda_c 25um seed 3 --points 20000 --save wall.csv -o /dev/null
+"$bin/asperity" surface surface rq 8um lambda_c 25um seed 4 --points 9000 --save more.csv -o /dev/null
 # A ground wall of 0.6 mm squared: grooves 30 um apart, 150 um long, at 30 degrees to the rows.
 awk 'BEGIN { srand(3); n = 200; for (k = 0; k < 120; k++) { a[k] = sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) * 1.41421 / 30
       b[k] = sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) * 1.41421 / 150; c[k] = 6.2831853 * rand() }
@@ -17,7 +18,7 @@ awk 'BEGIN { srand(3); n = 200; for (k = 0; k < 120; k++) { a[k] = sqrt(-2 * log
     echo "surface rq 8um lambda_c 60um spread $model"
   done | sed '1~2s/$/ plane collisions single rebound walton 0.9 0.2 0.3/; 2~2s/$/ isotropic collisions multiple/'
   printf 'surface %s\n' smooth "ra 4um rdq 10deg" "sq 5um sal 50um" "rq 5um rsm 264um sampling 0.8mm" "rq 5um lambda_c 40um 80um lay 1 1 0" \
-    "profile $work/wall.csv dp_bins 1" "map $work/ground.txt dp_bins 1 lay 1 -1 0"
+    "profile $work/wall.csv,$work/more.csv dp_bins 1" "map $work/ground.txt dp_bins 1 lay 1 -1 0"
 } | awk '/rebound/ { print; next } { print $0, "materials quartz hastelloy-x seed 3" }' > walls
 [ "$(wc -l < walls)" -ge 15 ] || die "walls: $(cat walls)"
 

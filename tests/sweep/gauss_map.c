@@ -57,7 +57,8 @@ static double fill_waves(const spectrum *s, const asp_heights *map, uint32_t see
 
 asp_heights *gauss_map_create(const gauss_wall *wall, const double step[2], size_t columns,
                               size_t rows, uint32_t seed, asp_error *error) {
-  asp_heights shape = {columns, rows, {step[0], step[1]}, true, NULL};
+  asp_heights shape = {
+      .columns = columns, .rows = rows, .step = {step[0], step[1]}, .periodic = true};
   size_t n = columns * rows;
   double *data = malloc((2 * n + aspi_fft2_room(rows)) * sizeof *data);
   shape.z = aspi_allocate(columns * rows);

@@ -729,6 +729,70 @@ static void defaults_of_engines(void **state) {
   asp_heights_free(p);
 }
 
+/* A wave, rounded to twelve digits; heights in units of `rise` m over positions in units of `run`
+ * m.
+ */
+static void write_wave(const char *path, const char *units, double run, double rise, int points,
+                       double step, double amplitude, double wave) {
+  FILE *file = fopen(path, "w");
+  fprintf(file, "%s\n", units);
+  for (int i = 0; i < points; i++)
+    fprintf(file, "%.12g,%.12g\n", i * step / run,
+            (7e-6 + amplitude * sin(2 * ASP_PI * i * step / wave)) / rise);
+  fclose(file);
+}
+
+/* Waves of 10 and 25 um in files of different units, steps and lengths (1 and 3 mm). Numbers by
+ * length: mean squares of heights and slopes, and the autocorrelation, a mean of two cosines. */
+static void several_profiles_are_one_wall(void **state) {
+  (void)state;
+  char folder[] = "/tmp/test_profile.XXXXXX", list[200], names[3][60];
+  assert_non_null(mkdtemp(folder));
+  const char *const name[] = {"one.csv", "two.csv", "with,comma.csv"};
+  for (int i = 0; i < 3; i++)
+    snprintf(names[i], sizeof names[i], "%s/%s", folder, name[i]);
+  write_wave(names[0], "x_um,z_um", 1e-6, 1e-6, 4000, 0.25e-6, 0.1e-6, 10e-6);
+  write_wave(names[1], "x_mm,z_nm", 1e-3, 1e-9, 7500, 0.4e-6, 0.3e-6, 25e-6);
+  write_wave(names[2], "x_um,z_um", 1e-6, 1e-6, 4000, 0.25e-6, 0.1e-6, 10e-6);
+  aspi_profile_options o = aspi_profile_options_default();
+  o.form = 0; /* a line through a sine is not level */
+  snprintf(list, sizeof list, "%s,%s", names[0], names[1]);
+  asp_heights *p = aspi_read(NULL, list, false, &o, &report, &error);
+  assert_non_null(p);
+  assert_non_null(strstr(report.text, "one.csv: 4000 points read"));
+  assert_non_null(strstr(report.text, "two.csv: 7500 points read"));
+  asp_heights_numbers d;
+  assert_int_equal(asp_heights_describe(p, &d, &error), ASP_OK);
+  double square[] = {0.5 * 0.1 * 0.1 * 0.25, 0.5 * 0.3 * 0.3 * 0.75}; /* um^2 by length */
+  double turns[] = {2 * ASP_PI / 10, 2 * ASP_PI / 25}, all = square[0] + square[1];
+  double gradient = square[0] * turns[0] * turns[0] + square[1] * turns[1] * turns[1];
+  double lag = d.lambda_1 * 1e6;
+  assert_near(d.s_q, 1e-6 * sqrt(all), 1e-4 * d.s_q);
+  assert_near(d.s_a, 2e-6 / ASP_PI * (0.25 * 0.1 + 0.75 * 0.3), 1e-3 * d.s_a);
+  assert_near(d.s_dq, sqrt(gradient), 0.003 * d.s_dq);
+  assert_near(square[0] / all * cos(turns[0] * lag) + square[1] / all * cos(turns[1] * lag),
+              exp(-1), 0.003);
+  asp_heights_free(p);
+  p = aspi_read(NULL, names[2], false, &o, &report, &error); /* one file */
+  assert_int_equal(p->columns, 4000);
+  assert_null(p->next);
+  asp_heights_free(p);
+  snprintf(list, sizeof list, "%s,%s/none.csv", names[0], folder);
+  assert_null(aspi_read(NULL, list, false, &o, NULL, &error));
+  assert_non_null(strstr(error.text, "none.csv': No such file"));
+  assert_non_null(strstr(error.text, "commas separate names"));
+  snprintf(list, sizeof list, "%s,,%s", names[0], names[1]);
+  assert_null(aspi_read(NULL, list, false, &o, NULL, &error));
+  assert_non_null(strstr(error.text, "one of several profiles is ''"));
+  snprintf(list, sizeof list, "%s,\"%s\"", names[0], names[2]);
+  p = aspi_read(NULL, list, false, &o, NULL, &error);
+  assert_int_equal(p->next->columns, 4000);
+  asp_heights_free(p);
+  for (int i = 0; i < 3; i++)
+    unlink(names[i]);
+  rmdir(folder);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(generated_profile_has_its_numbers),
@@ -761,6 +825,7 @@ int main(void) {
       cmocka_unit_test(sections_of_a_map),
       cmocka_unit_test(bad_maps_are_named_with_their_line),
       cmocka_unit_test(defaults_of_engines),
+      cmocka_unit_test(several_profiles_are_one_wall),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "check.h"
 #include "asperity_engine.h"
 #include "asperity_internal.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -106,22 +107,29 @@ static void depths_that_no_grain_reaches_do_not_count(void **state) {
 }
 
 /* Waves of length 1 and height 2 a. */
-static asp_heights *sine(double a) {
-  enum { POINTS = 64, WAVES = 40 };
-  double z[POINTS * WAVES];
-  for (int i = 0; i < POINTS * WAVES; i++)
-    z[i] = a * sin(2 * ASP_PI * i / POINTS);
-  return asp_heights_create(z, POINTS * WAVES, 1, 1. / POINTS, 0, true, NULL);
+static asp_heights *sine(double a, size_t waves) {
+  enum { POINTS = 64, MOST = 120 };
+  double z[POINTS * MOST];
+  for (size_t i = 0; i < POINTS * waves; i++)
+    z[i] = a * sin(2 * ASP_PI * (double)i / POINTS);
+  return asp_heights_create(z, POINTS * waves, 1, 1. / POINTS, 0, true, NULL);
 }
+
+/* Two profiles of a wall. */
+static asp_heights *chain(asp_heights *first, asp_heights *second) {
+  first->next = second;
+  return first;
+}
+
+static const char plane[] =
+    "surface profile sine spread traced plane rebound walton 0.5 0.5 0 deposit off";
 
 /* A small disc meets the steepest slope of each wave. A disc of radius r that closes the troughs
  * has the slope at which its path has a kink: its center, over the crest at x - r p/sqrt(1 + p^2),
  * is half a wave off. */
 static void discs_lie_between_waves(void **state) {
   const double a = 0.05, d = 2;
-  const char *words =
-      "surface profile sine spread traced plane rebound walton 0.5 0.5 0 deposit off";
-  asp_wall *wall = wall_over(words, sine(a), 0.05, d);
+  asp_wall *wall = wall_over(plane, sine(a, 40), 0.05, d);
   double start[DRAWS], low = 0, high = 0.25;
   for (int i = 0; i < 60; i++) {
     double x = 0.5 * (low + high), p = 2 * ASP_PI * a * sin(2 * ASP_PI * x);
@@ -136,9 +144,83 @@ static void discs_lie_between_waves(void **state) {
   asp_wall_free(wall);
 }
 
+/* The mean square of the slopes of first hits. */
+static double slopes_hit(const asp_wall *wall, double d_p, double alpha1, int hits) {
+  const asp_particle grain = {.d_p = d_p, .density = 1};
+  const double v[3] = {cos(alpha1), 0, -sin(alpha1)}, up[3] = {0, 0, 1};
+  double square = 0;
+  for (int i = 0; i < hits; i++) {
+    asp_key key = {.seed = 1, .wall = 2, .tag = 3, .impact = (uint32_t)i};
+    asp_impact impact;
+    assert_int_equal(asp_wall_impact(wall, &grain, v, up, &key, &impact), ASP_OK);
+    square += tan(impact.delta_alpha) * tan(impact.delta_alpha) / hits;
+  }
+  return square;
+}
+
+/* A quarter of the length has steep waves, the rest of it flat ones. */
+static void profiles_count_by_their_length(void **state) {
+  asp_heights *both = chain(sine(0.05, 40), sine(0.02, 120));
+  asp_wall *wall = wall_over(plane, both, 0.05, 0.05);
+  double square = 2 * ASP_PI * ASP_PI * (0.25 * 0.05 * 0.05 + 0.75 * 0.02 * 0.02), start[DRAWS];
+  assert_near(asp_wall_slope(wall, 0.05), sqrt(square), 0.01 * sqrt(square));
+  assert_near(slopes_hit(wall, 0.05, ASP_PI / 2, 20000), square, 0.04 * square);
+  draw_starts(wall, 0.05, start);
+  assert_near(start[(int)(0.73 * DRAWS)], 2 * ASP_PI * 0.02, 0.003);
+  assert_near(start[(int)(0.77 * DRAWS)], 2 * ASP_PI * 0.05, 0.003);
+  assert_near(face_length(wall, 0.05), 1, 0.03);
+  asp_wall_free(wall);
+}
+
+static void a_profile_given_twice_is_that_profile(void **state) {
+  asp_wall *once = wall_over(plane, sine(0.05, 40), 0.05, 2),
+           *twice = wall_over(plane, chain(sine(0.05, 40), sine(0.05, 40)), 0.05, 2);
+  const asp_surface *a = asp_wall_surface(once), *b = asp_wall_surface(twice);
+  double start[2][DRAWS];
+  for (double d = 0.05; d < 3; d += 1.95) {
+    draw_starts(once, d, start[0]);
+    draw_starts(twice, d, start[1]);
+    assert_memory_equal(start[0], start[1], sizeof *start);
+    assert_near(asp_wall_slope(twice, d), asp_wall_slope(once, d), 1e-12);
+    assert_near(face_length(twice, d), face_length(once, d), 1e-12);
+  }
+  assert_near(asp_surface_r_q(b), asp_surface_r_q(a), 1e-12);
+  assert_near(asp_surface_lambda_c(b), asp_surface_lambda_c(a), 1e-12);
+  assert_near(asp_surface_uncertainty(b), asp_surface_uncertainty(a) / sqrt(2), 1e-12);
+  asp_wall_free(once);
+  asp_wall_free(twice);
+}
+
+/* The same wall, but for what meets four ends: about 1 % of it. */
+static void pieces_of_a_profile_are_that_profile(void **state) {
+  enum { PIECES = 4, POINTS = 16384 };
+  asp_heights *whole = aspi_profile_generate(0.1, 1, 1. / 32, PIECES * POINTS, 7, NULL),
+              *cut = NULL;
+  for (size_t k = 0; k < PIECES; k++) {
+    asp_heights *piece =
+        asp_heights_create(whole->z + k * POINTS, POINTS, 1, 1. / 32, 0, false, NULL);
+    cut = chain(piece, cut);
+  }
+  asp_wall *of[2] = {wall_over(plane, whole, 1, 1), wall_over(plane, cut, 1, 1)};
+  double start[2][DRAWS], square[2];
+  for (int i = 0; i < 2; i++) {
+    draw_starts(of[i], 1, start[i]);
+    square[i] = slopes_hit(of[i], 1, 0.2, 20000);
+  }
+  assert_near(asp_wall_slope(of[1], 1), asp_wall_slope(of[0], 1), 0.003 * asp_wall_slope(of[0], 1));
+  assert_near(square[1], square[0], 0.04 * square[0]);
+  for (int i = DRAWS / 10; i < DRAWS; i += DRAWS / 5)
+    assert_near(start[1][i], start[0][i], 0.02 * start[0][i]);
+  asp_wall_free(of[0]);
+  asp_wall_free(of[1]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(grains_lie_in_the_hollows_of_beads),
                                      cmocka_unit_test(depths_that_no_grain_reaches_do_not_count),
-                                     cmocka_unit_test(discs_lie_between_waves)};
+                                     cmocka_unit_test(discs_lie_between_waves),
+                                     cmocka_unit_test(profiles_count_by_their_length),
+                                     cmocka_unit_test(a_profile_given_twice_is_that_profile),
+                                     cmocka_unit_test(pieces_of_a_profile_are_that_profile)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
