@@ -142,9 +142,10 @@ void count_beside_dust(const char *what, const Motion &motion) {
   Scene(plane(), SMOOTH, motion, NULL, 0, 0.01 * R).count(what, 20, 400);
 }
 
-void count_at_mesh(const char *what, double width, const Motion &motion, int first, int steps) {
+void count_at_mesh(const char *what, double width, const Motion &motion, int first, int steps,
+                   const char *words = SMOOTH) {
   Plate plate(width);
-  Scene(std::move(plate.shape), SMOOTH, motion, plate.mesh, plate.triangles)
+  Scene(std::move(plate.shape), words, motion, plate.mesh, plate.triangles)
       .count(what, first, steps);
 }
 
@@ -225,6 +226,7 @@ int main(int argc, char **argv) {
   count_at_plane("grain at rest on a rough plane", ROUGH, AT_REST, 100, 40);
   count_at_mesh("grain at rest on a fine mesh", FINE, AT_REST, 20, 40);
   count_at_plane("grain stuck to a plane", STICKY, {0, 0, -0.1, GRAVITY, 0}, 20, 40);
+  count_at_mesh("grain stuck to a mesh", COARSE, {0, 0, -0.1, GRAVITY, 0}, 20, 40, STICKY);
   count_at_plane("grain far from a plane", SMOOTH, {50 * R, 1, -1, 0, 0}, 20, 200);
   count_at_plane("grain that arrives at a plane", SMOOTH, {1.5 * DT, 1, -1, 0, 0}, 1, 1);
   count_at_plane("grain that arrives at a rough plane", ROUGH, {1.5 * DT, 1, -1, 0, 0}, 1, 1);

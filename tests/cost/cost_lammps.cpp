@@ -84,14 +84,18 @@ void count_scene(LAMMPS &lammps, const char *what, int grains,
   count_end(what, static_cast<double>(steps) * grains);
 }
 
+const char SMOOTH[] = "rebound walton 0.5 0.3 0 deposit off";
+const char STICKY[] = "rebound bons materials quartz surface_energy 1e9";
+
 void count_region(LAMMPS &lammps, const char *what, double height, const char *region,
-                  const char *motion) {
+                  const char *motion, const std::string &law = SMOOTH) {
   count_scene(
       lammps, what, GRAINS,
       {"displace_atoms all move 0.002 0.002 " + std::to_string(0.001 + height) + " units box",
        "fix fall all gravity 9.81 vector 0 0 -1", "variable a equal 10*time",
        "variable d equal 0.01*time", "region r " + std::string(region) + " " + motion,
-       "fix wall all wall/rebound region r rebound walton 0.5 0.3 0 deposit off"});
+       "velocity all set NULL NULL " + std::string(law == STICKY ? "-0.1" : "0"),
+       "fix wall all wall/rebound region r " + law});
 }
 
 /* A grain's whole life. */
@@ -133,6 +137,7 @@ int main(int argc, char **argv) {
   const char room[] = "block -1 1 -1 1 0 0.03 units box", moves[] = "move v_d NULL NULL";
   const char turns[] = "rotate v_a 0.02 0.02 0 0 0 1";
   count_region(lammps, "grain at rest on a region", 0, room, "");
+  count_region(lammps, "grain stuck to a region", 0, room, "", STICKY);
   count_region(lammps, "grain at rest on a region that moves", 0, room, moves);
   count_region(lammps, "grain at rest on a region that turns", 0, room, turns);
   count_region(lammps, "grain far from a region that moves", 0.014, room, moves);
