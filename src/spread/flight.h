@@ -29,7 +29,7 @@ typedef struct aspi_field {
   aspi_tops level[ASPI_TOPS_MOST];
   double top;        /* the highest point */
   double bottom;     /* a height below all points */
-  double fall_least; /* least slope of a beam that meets many peaks */
+  double fall_least; /* beams are followed no flatter than this; see aspi_fall_least */
 } aspi_field;
 
 /* The slope at which a beam falls by 16 rms heights over this length, so that its first hits lie on
