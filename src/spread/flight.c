@@ -173,6 +173,7 @@ static asp_code fill_map(aspi_field *f, const asp_heights *map, double d_p, cons
   aspi_ball *ball = aspi_ball_create(map, d_p, error);
   asp_code code = ball ? create(f, g->count[0], g->count[1], 3, error) : ASP_ENOMEM;
   double dx = map->step[0], dy = map->step[1], stride = (double)g->stride;
+  f->radius = 0.5 * d_p;
   f->step[0] = dx * stride;
   f->step[1] = dy * stride;
   f->wraps = map->periodic && g->count[0] == map->columns && g->count[1] == map->rows;
@@ -282,8 +283,31 @@ static bool approaches(const double way[3], const double gradient[2]) {
   return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
 }
 
-/* The gradient at a place of a cell: interpolated between the contacts at its corners if the
- * particle approaches that face; else the gradient of the surface. */
+/* True if the sphere lies between two contacts somewhere in a cell: its contact moves by more than
+ * ASPI_KINK cells along an edge of it. */
+static bool has_kink(const aspi_field *f, const cell *c) {
+  double x = fmax(c->point[1][1] - c->point[0][1], c->point[3][1] - c->point[2][1]);
+  double y = fmax(c->point[2][2] - c->point[0][2], c->point[3][2] - c->point[1][2]);
+  return f->radius * x > (ASPI_KINK - 1) * f->step[0] ||
+         f->radius * y > (ASPI_KINK - 1) * f->step[1];
+}
+
+/* The corner of a cell whose tangent plane is the highest at a place: the one on the same side of
+ * the kink. */
+static const float *highest_tangent(const aspi_field *f, const cell *c, double u, double v) {
+  const float *best = NULL;
+  double most = -INFINITY;
+  for (int k = 0; k < 4; k++) {
+    const float *at = c->point[k];
+    double z = at[0] + at[1] * (u - k % 2) * f->step[0] + at[2] * (v - k / 2) * f->step[1];
+    best = z > most ? at : best;
+    most = fmax(z, most);
+  }
+  return best;
+}
+
+/* The gradient at a place of a cell: interpolated between the contacts at its corners, or in a kink
+ * that of one of them, if the particle approaches that face; else the gradient of the surface. */
 static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
                         double gradient[2]) {
   if (f->axes == 1) {
@@ -300,7 +324,12 @@ static void gradient_at(const aspi_field *f, const cell *c, double u, double v, 
     p[k] = c->point[k][1];
     q[k] = c->point[k][2];
   }
-  const double contact[2] = {bilinear(p, u, v), bilinear(q, u, v)};
+  double contact[2] = {bilinear(p, u, v), bilinear(q, u, v)};
+  if (has_kink(f, c)) {
+    const float *side = highest_tangent(f, c, u, v);
+    contact[0] = side[1];
+    contact[1] = side[2];
+  }
   if (approaches(way, contact)) {
     gradient[0] = contact[0];
     gradient[1] = contact[1];

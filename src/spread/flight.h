@@ -21,6 +21,7 @@ typedef struct aspi_field {
   ptrdiff_t columns, rows, cells[2]; /* cells between points along x and y */
   int axes;                          /* 1 for one row, else 2 */
   double step[2];
+  double radius;    /* of the sphere; for kinks */
   bool wraps;       /* repeats beyond its edges */
   ptrdiff_t stride; /* numbers per point: 1, or 3 with the gradient of the contact */
   float *z;         /* numbers of all points, row after row; then the maxima */
@@ -31,6 +32,10 @@ typedef struct aspi_field {
   double bottom;     /* a height below all points */
   double fall_least; /* least slope of a beam that meets many peaks */
 } aspi_field;
+
+/* Where a sphere lies between two contacts, its contact moves by more steps than this while its
+ * center moves by one. */
+#define ASPI_KINK 3.0
 
 /* The slope at which a beam falls by 16 rms heights over this length, so that its first hits lie on
  * many peaks. */

@@ -215,10 +215,26 @@ static void pieces_of_a_profile_are_that_profile(void **state) {
   asp_wall_free(of[1]);
 }
 
+/* The mean square slope along a line over the hexagons around the beads. Cells that the kinks
+ * between beads cross are a fifth of the map; with means over them it is 13 % too low. */
+static void kinks_between_beads_are_sharp(void **state) {
+  const double d = 2, s = 0.5 * (1 + d);
+  asp_wall *wall = wall_over("surface map beads rebound constant 1 1", beads(0), d, d);
+  double sum = 0, n = 0;
+  for (double x = 0.005; x < 0.5; x += 0.01) /* a twelfth of a hexagon */
+    for (double y = 0.005 * x; y < x / sqrt(3); y += 0.01 * x, n += x) {
+      double r2 = x * x + y * y;
+      sum += 0.5 * x * r2 / (s * s - r2);
+    }
+  assert_near(slopes_hit(wall, d, ASP_PI / 2, 20000), sum / n, 0.04 * sum / n);
+  asp_wall_free(wall);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(grains_lie_in_the_hollows_of_beads),
                                      cmocka_unit_test(depths_that_no_grain_reaches_do_not_count),
                                      cmocka_unit_test(discs_lie_between_waves),
+                                     cmocka_unit_test(kinks_between_beads_are_sharp),
                                      cmocka_unit_test(profiles_count_by_their_length),
                                      cmocka_unit_test(a_profile_given_twice_is_that_profile),
                                      cmocka_unit_test(pieces_of_a_profile_are_that_profile)};
