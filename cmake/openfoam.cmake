@@ -1,13 +1,13 @@
-# OpenFOAM, for the patch interaction model: the target OpenFOAM::intermediate, OPENFOAM_API, as 1912, and
-# OPENFOAM_CXX_STANDARD, as 11. Headers by openfoam_headers; libraries of the system or, of another OpenFOAM, where its
-# environment has them (FOAM_LIBBIN).
+# OpenFOAM, for the patch interaction model: the target OpenFOAM::intermediate, OPENFOAM_API, as 1912 or 13,
+# OPENFOAM_CXX_STANDARD, as 11, and OPENFOAM_CLOUDS. Headers by openfoam_headers; libraries of the system or, of another
+# OpenFOAM, where its environment has them (FOAM_LIBBIN).
 # SPDX-License-Identifier: GPL-3.0-or-later
 set(_dir ${CMAKE_BINARY_DIR}/openfoam)
 set(_tree ${ASPERITY_OPENFOAM_SOURCE})
 if(NOT _tree)
   set(_tree ${_dir}/source)
 endif()
-if(NOT EXISTS ${_dir}/include OR NOT _tree STREQUAL ASPERITY_OPENFOAM_TREE)
+if(NOT EXISTS ${_dir}/host OR NOT _tree STREQUAL ASPERITY_OPENFOAM_TREE)
   message(STATUS "OpenFOAM's headers: ${_tree}")
   execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/openfoam_headers ${_dir} ${ASPERITY_OPENFOAM_SOURCE}
     RESULT_VARIABLE _failed)
@@ -17,11 +17,13 @@ if(NOT EXISTS ${_dir}/include OR NOT _tree STREQUAL ASPERITY_OPENFOAM_TREE)
   set(ASPERITY_OPENFOAM_TREE ${_tree} CACHE INTERNAL "Source tree of the headers that are linked")
 endif()
 
-file(STRINGS ${_tree}/META-INFO/api-info OPENFOAM_API REGEX "^api=")
-string(REGEX REPLACE "api=" "" OPENFOAM_API "${OPENFOAM_API}")
-file(STRINGS ${_tree}/wmake/rules/General/Gcc/c++ _standard REGEX "-std=")
-string(REGEX REPLACE ".*-std=[a-z]+[+][+]([0-9]+).*" "\\1" OPENFOAM_CXX_STANDARD "${_standard}")
-find_library(OPENFOAM_INTERMEDIATE lagrangianIntermediate HINTS ENV FOAM_LIBBIN PATHS /usr/lib REQUIRED)
+file(STRINGS ${_dir}/host _host)
+list(GET _host 0 OPENFOAM_API)
+list(GET _host 1 OPENFOAM_CXX_STANDARD)
+list(GET _host 2 _library)
+list(GET _host 3 OPENFOAM_CLOUDS)
+separate_arguments(OPENFOAM_CLOUDS)
+find_library(OPENFOAM_INTERMEDIATE ${_library} HINTS ENV FOAM_LIBBIN PATHS /usr/lib REQUIRED)
 mark_as_advanced(OPENFOAM_INTERMEDIATE)
 set(_label $ENV{WM_LABEL_SIZE})
 if(NOT _label)
@@ -33,10 +35,9 @@ if(NOT _precision)
 endif()
 
 file(GLOB_RECURSE _headers LIST_DIRECTORIES true ${_dir}/include/*)
-list(FILTER _headers EXCLUDE REGEX "\\.[HC]$")
+list(FILTER _headers EXCLUDE REGEX "\\.([HC]|txx)$")
 add_library(OpenFOAM::intermediate SHARED IMPORTED)
 set_target_properties(OpenFOAM::intermediate PROPERTIES
   IMPORTED_LOCATION ${OPENFOAM_INTERMEDIATE}
   INTERFACE_INCLUDE_DIRECTORIES "${_headers}"
-  INTERFACE_COMPILE_DEFINITIONS "OPENFOAM=${OPENFOAM_API};WM_${_precision};WM_LABEL_SIZE=${_label};NoRepository"
-  INTERFACE_COMPILE_OPTIONS "$<$<COMPILE_LANGUAGE:CXX>:-ftemplate-depth-100>")
+  INTERFACE_COMPILE_DEFINITIONS "OPENFOAM=${OPENFOAM_API};WM_${_precision};WM_LABEL_SIZE=${_label};NoRepository")

@@ -5,6 +5,7 @@
 #define ASPERITY_OPENFOAM_ASPERITY_WALL_H
 
 #include "PatchInteractionModel.H"
+#include "openfoam/compatibility.h"
 #include "openfoam/patch_walls.h"
 
 namespace Foam {
@@ -29,14 +30,15 @@ inline bool canCollide(const void *) {
   return false;
 }
 
-template <class CloudType> class asperityWall : public PatchInteractionModel<CloudType> {
+template <class CloudType>
+class asperityWall : public asperity::Reporting<PatchInteractionModel<CloudType>> {
 public:
   typedef PatchInteractionModel<CloudType> Model;
   typedef typename CloudType::parcelType parcelType;
   TypeName("asperityWall");
 
   asperityWall(const dictionary &dict, CloudType &cloud)
-      : Model(dict, cloud, typeName),
+      : asperity::Reporting<Model>(dict, cloud, typeName),
         walls_(std::make_shared<asperity::PatchWalls>(
             cloud.name(), asperity::Gas{cloud.U(), cloud.rho(), cloud.mu()}, kind_of(cloud),
             *this)) {}
@@ -45,28 +47,15 @@ public:
     return autoPtr<Model>(new asperityWall<CloudType>(*this));
   }
   virtual bool correct(parcelType &p, const polyPatch &patch, bool &keepParticle);
-#if OPENFOAM < 2212
-  virtual void info(Ostream &os) {
-    Model::info(os);
-    report(os);
-  }
-#else
-  virtual void info() {
-    Model::info();
-    OStringStream unlogged;
-    report(this->log ? static_cast<Ostream &>(Info.stream()) : unlogged);
-  }
-#endif
 
 protected:
-  virtual void writeFileHeader(Ostream &os) {
-    Model::writeFileHeader(os);
-    walls_->write_header(os);
+  virtual void report(Ostream &log, Ostream &fates);
+  virtual void write_header(Ostream &fates) const {
+    walls_->write_header(fates);
   }
 
 private:
   static asperity::Cloud kind_of(const CloudType &cloud);
-  void report(Ostream &os);
   void remove();
   asperity::Parcel parcel_at(const parcelType &p, const polyPatch &patch, label face) const;
 
@@ -84,8 +73,8 @@ asperity::Cloud asperityWall<CloudType>::kind_of(const CloudType &cloud) {
   return kind;
 }
 
-/* At the end of a time step, on all ranks. The base class has begun a line of its file. */
-template <class CloudType> void asperityWall<CloudType>::report(Ostream &os) {
+/* The base class has begun the line of `fates`. */
+template <class CloudType> void asperityWall<CloudType>::report(Ostream &log, Ostream &fates) {
   remove();
   scalar least = GREAT, most = 0;
   for (const parcelType &p : this->owner()) {
@@ -93,8 +82,8 @@ template <class CloudType> void asperityWall<CloudType>::report(Ostream &os) {
     most = std::max(most, p.d());
   }
   walls_->meet(least, most);
-  walls_->info(os, this->file(), *this);
-  this->file() << endl;
+  walls_->info(log, fates, *this);
+  fates << endl;
 }
 
 /* What flows take away in this time step begins at rest on its face. A parcel that has stuck is on
@@ -102,14 +91,14 @@ template <class CloudType> void asperityWall<CloudType>::report(Ostream &os) {
 template <class CloudType> void asperityWall<CloudType>::remove() {
   const polyBoundaryMesh &patches = this->owner().mesh().boundaryMesh();
   for (parcelType &p : this->owner()) {
-    const label patch = p.active() ? -1 : patches.whichPatch(p.tetFace());
+    const label patch = asperity::is_active(p) ? -1 : patches.whichPatch(p.tetFace());
     const asperity::PatchWall *wall = patch < 0 ? NULL : walls_->at(patch);
     if (!wall || !wall->has_flow)
       continue;
     asperity::Parcel parcel = parcel_at(p, patches[patch], p.tetFace());
     if (!walls_->removes(parcel))
       continue;
-    p.active(true);
+    asperity::set_active(p, true);
     p.U() = vector::zero;
   }
 }
@@ -141,7 +130,8 @@ bool asperityWall<CloudType>::correct(parcelType &p, const polyPatch &patch, boo
     return false;
   vector outward, speed;
   this->owner().patchData(p, patch, outward, speed);
-  const vector before = p.U() - speed, place = p.position();
+  const vector before = p.U() - speed;
+  const vector place = asperity::position(p, this->owner().mesh());
   keepParticle = true;
   if (!((before & outward) > 0))
     return true;
@@ -160,7 +150,7 @@ bool asperityWall<CloudType>::correct(parcelType &p, const polyPatch &patch, boo
   }
   const asperity::Hit hit = walls_->hit(parcel);
   const bool sticks = hit.outcome == ASP_DEPOSIT;
-  p.active(!sticks);
+  asperity::set_active(p, !sticks);
   p.U() = sticks ? vector::zero : vector(hit.v2[0], hit.v2[1], hit.v2[2]) + speed;
   keepParticle = !(sticks && wall->deletes);
   return true;

@@ -13,6 +13,8 @@
 #include "dem/error.h"
 #include "dem/books/ledger_file.h"
 #include "dem/text.h"
+#include "openfoam/compatibility.h"
+#include "processorPolyPatch.H"
 #include "wallPolyPatch.H"
 
 using namespace asperity;
@@ -26,36 +28,50 @@ static void fail(const dictionary &dict, const std::string &what) {
   FatalIOErrorInFunction(dict) << what.c_str() << exit(FatalIOError);
 }
 
+/* An entry's value, or this one. */
+template <class Value>
+static Value value_of(const dictionary &dict, const word &name, Value value) {
+  dict.readIfPresent(name, value);
+  return value;
+}
+
+/* Those of the whole case, which come first on each rank. */
+static label count_patches(const polyBoundaryMesh &patches) {
+  label n = 0;
+  for (const polyPatch &patch : patches)
+    n += !isA<processorPolyPatch>(patch);
+  return n;
+}
+
 PatchWalls::PatchWalls(const word &name, const Gas &gas, const Cloud &cloud,
                        const subModelBase &model)
     : mesh_(gas.U.mesh()), gas_(gas), cloud_(cloud), is_large_(false),
-      every_(model.coeffDict().getOrDefault<label>("ledger", 0)),
-      columns_(model.coeffDict().getOrDefault<Switch>("fullLedger", false)
-                   ? LedgerColumn::N_FULL
-                   : LedgerColumn::N_COLUMNS),
+      every_(value_of<label>(model.coeffDict(), "ledger", 0)),
+      columns_(value_of<Switch>(model.coeffDict(), "fullLedger", false) ? LedgerColumn::N_FULL
+                                                                        : LedgerColumn::N_COLUMNS),
       of_patch_(mesh_.boundaryMesh().size(), NULL),
-      sums_(mesh_.boundaryMesh().nNonProcessor() * N_SUMS, Zero), sums_before_(sums_) {
+      sums_(count_patches(mesh_.boundaryMesh()) * N_SUMS, Zero), sums_before_(sums_) {
   const dictionary &coeffs = model.coeffDict();
   check_entries(model.dict(), coeffs);
-  cloud_.d_least = coeffs.getOrDefault<scalar>("dMin", 0);
-  cloud_.d_most = coeffs.getOrDefault<scalar>("dMax", 0);
+  cloud_.d_least = value_of<scalar>(coeffs, "dMin", 0);
+  cloud_.d_most = value_of<scalar>(coeffs, "dMax", 0);
   cloud_.is_flat = mesh_.nGeometricD() < 3;
   /* OpenFOAM traps floating-point exceptions. The core compares NaN (not given) where it reads
    * and writes words; an impact raises none. */
   fenv_t traps;
   feholdexcept(&traps);
   read(name, cloud_, coeffs.subDict("walls"));
-  impacts_ = field<scalar>(name + ":impacts", dimless);
-  deposited_ = field<scalar>(name + ":depositedMass", dimMass);
-  energy_ = field<scalar>(name + ":energy", dimEnergy);
-  impulse_ = field<vector>(name + ":impulse", dimMass * dimVelocity);
+  impacts_ = field<volScalarField>(name + ":impacts", dimless);
+  deposited_ = field<volScalarField>(name + ":depositedMass", dimMass);
+  energy_ = field<volScalarField>(name + ":energy", dimEnergy);
+  impulse_ = field<volVectorField>(name + ":impulse", dimMass * dimVelocity);
   std::istringstream sums(model.getModelProperty<string>("sums", ""));
   for (scalar &sum : sums_before_)
     sums >> sum;
   const fileName folder = mesh_.time().globalPath() / "postProcessing/lagrangian" / name;
   for (const auto &wall : walls_) {
     if (wall->worn_density > 0 && !eroded_)
-      eroded_ = field<scalar>(name + ":erodedDepth", dimLength);
+      eroded_ = field<volScalarField>(name + ":erodedDepth", dimLength);
     if (every_ > 0 && Pstream::master())
       open_ledger(*wall, folder / "asperityWall" / wall->name + ".csv",
                   model.getModelProperty<string>(wall->name, ""));
@@ -64,25 +80,31 @@ PatchWalls::PatchWalls(const word &name, const Gas &gas, const Cloud &cloud,
 }
 
 void PatchWalls::check_entries(const dictionary &models, const dictionary &coeffs) const {
-  const word collisions = models.getOrDefault<word>("collisionModel", "none");
+  const word collisions = value_of<word>(models, "collisionModel", "none");
   if (cloud_.can_collide && collisions != "none")
     fail(models, "collisionModel is '" + collisions +
                      "', whose wall model turns parcels back before their centers reach a wall, " +
                      "so that asperityWall would never act; it must be none");
-  const wordList entries({"walls", "dMin", "dMax", "ledger", "fullLedger"});
-  const wordList of_base({"U", "writeToFile", "writePrecision", "useUserTime", "updateHeader"});
+  std::vector<std::string> entries = {"walls", "dMin", "dMax", "ledger", "fullLedger"};
+  for (const char *entry : ENTRIES_OF_BASE)
+    entries.push_back(entry);
+  std::string there_are;
+  for (const std::string &entry : entries)
+    there_are += " " + entry;
   for (const word &name : coeffs.toc())
     if (name == "UrMax")
       fail(coeffs,
            "entry 'UrMax' has no effect: asperityWall removes no parcel because it is slow " +
                word("on a wall that moves; it must be left out"));
-    else if (!entries.found(name) && !of_base.found(name))
-      fail(coeffs, "entry '" + name + "' is unknown; there are walls, dMin, dMax, ledger, " +
-                       "fullLedger and writeToFile");
+    else if (!std::count(entries.begin(), entries.end(), name))
+      fail(coeffs, "entry '" + name + "' is unknown; there are" + there_are);
 }
 
 /* Each wall takes the entry of its name, else the last regular expression that fits. */
 void PatchWalls::read(const word &cloud, const Cloud &of, const dictionary &entries) {
+  for (const entry &e : entries)
+    if (!e.isStream() || e.stream().size() != 1 || !e.stream()[0].isString())
+      fail(entries, "walls, entry " + e.keyword() + ": it must be one string, the words of a wall");
   for (const entry &e : entries) {
     std::string name = e.keyword();
     const std::string place = "walls, entry " + name + ": ";
@@ -90,8 +112,6 @@ void PatchWalls::read(const word &cloud, const Cloud &of, const dictionary &entr
     std::replace_if(
         name.begin(), name.end(), [](char c) { return !isalnum(c) && c != '-'; }, '_');
     try {
-      if (!e.isStream() || e.stream().size() != 1 || !e.stream()[0].isString())
-        throw Error("it must be one string, the words of a wall");
       walls_.emplace_back(
           new PatchWall(name, cloud + ":" + e.keyword(), e.stream()[0].stringToken(), of));
     } catch (const Error &error) {
@@ -100,7 +120,8 @@ void PatchWalls::read(const word &cloud, const Cloud &of, const dictionary &entr
     Info << "    asperityWall " << e.keyword() << ": " << walls_.back()->heading().c_str()
          << walls_.back()->notes(of).c_str() << endl;
     for (const polyPatch &patch : mesh_.boundaryMesh())
-      if (isA<wallPolyPatch>(patch) && entries.findEntry(patch.name(), keyType::REGEX) == &e) {
+      if (isA<wallPolyPatch>(patch) && entries.found(patch.name()) &&
+          &entries.lookup(patch.name()) == &e.stream()) {
         of_patch_[patch.index()] = walls_.back().get();
         is_idle = false;
       }
@@ -145,13 +166,12 @@ void PatchWalls::meet(double d_least, double d_most) {
   fesetenv(&traps);
 }
 
-template <class Type>
-std::unique_ptr<GeometricField<Type, fvPatchField, volMesh>>
-PatchWalls::field(const word &name, const dimensionSet &units) const {
-  typedef GeometricField<Type, fvPatchField, volMesh> Field;
-  const IOobject io(name, mesh_.time().timeName(), mesh_, IOobject::READ_IF_PRESENT,
+template <class Field>
+std::unique_ptr<Field> PatchWalls::field(const word &name, const dimensionSet &units) const {
+  const IOobject io(name, mesh_.time().timePath().name(), mesh_, IOobject::READ_IF_PRESENT,
                     IOobject::AUTO_WRITE);
-  return std::unique_ptr<Field>(new Field(io, mesh_, dimensioned<Type>(units, Zero)));
+  return std::unique_ptr<Field>(
+      new Field(io, mesh_, dimensioned<typename Field::value_type>(units, Zero)));
 }
 
 /* A restart goes on behind the rows that it counts: `state` has rows, bytes and checksum. */

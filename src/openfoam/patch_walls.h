@@ -104,9 +104,8 @@ private:
 
   void check_entries(const Foam::dictionary &models, const Foam::dictionary &coeffs) const;
   void read(const Foam::word &name, const Cloud &cloud, const Foam::dictionary &entries);
-  template <class Type>
-  std::unique_ptr<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
-  field(const Foam::word &name, const Foam::dimensionSet &units) const;
+  template <class Field>
+  std::unique_ptr<Field> field(const Foam::word &name, const Foam::dimensionSet &units) const;
   void open_ledger(PatchWall &wall, const Foam::fileName &path, const Foam::string &state) const;
   double u_tau(const Parcel &parcel) const;
   void flush(PatchWall &wall) const;

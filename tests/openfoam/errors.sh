@@ -40,10 +40,11 @@ mesh collide
 ! (cd collide && icoUncoupledKinematicParcelFoam > log 2>&1) || die "a wall that collisions keep parcels from was taken"
 grep -q "collisionModel is 'pairCollision'.* it must be none" collide/log || die "no word of collisionModel"
 
-# The Foundation's OpenFOAM, by its folders.
-mkdir -p foundation/src/lagrangian/parcel
-! "$here/../../cmake/openfoam_headers" headers foundation 2> said || die "the Foundation's tree was taken"
-grep -q "OpenFOAM of the Foundation" said || die "no word of the Foundation: $(cat said)"
+# The Foundation's OpenFOAM of another version.
+mkdir -p foundation/src/lagrangian/parcel foundation/etc
+echo 'export WM_PROJECT_VERSION=10' > foundation/etc/bashrc
+! "$here/../../cmake/openfoam_headers" headers foundation 2> said || die "a tree of the Foundation's 10 was taken"
+grep -q "OpenFOAM 10 of the Foundation, whose version must be 13" said || die "no word of the Foundation: $(cat said)"
 
 # Two dimensions.
 box flat "walls { \".*\" \"surface rq 5um lambda_c 40um $smooth\"; }" "sides={ type empty; faces ((0 4 7 3) (2 6 5 1)); } ends { type wall; faces ((1 5 4 0) (3 7 6 2)); }" cells='1 4 4' speed='0 0.3 -0.7'

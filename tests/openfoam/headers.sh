@@ -5,20 +5,18 @@
 set -euo pipefail
 home=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-clouds=$(grep -oE 'basic[A-Za-z]+Cloud' "$home/src/CMakeLists.txt" | sort -u)
-[ "$(wc -w <<< "$clouds")" -ge 5 ] || { echo "FAILED: too few kinds of clouds in src/CMakeLists.txt: $clouds"; exit 1; }
 for tree; do
-  rm -rf "$work/headers"
+  rm -rf "$work"/*
   "$home/cmake/openfoam_headers" "$work/headers" "$tree"
-  api=$(sed -n 's/^api=//p' "$tree/META-INFO/api-info")
-  standard=$(grep -ohE -- '-std=[a-z0-9+]+' "$tree/wmake/rules/General/Gcc/c++")
+  { read -r api; read -r standard; read -r _; read -r clouds; } < "$work/headers/host"
+  [ "$(wc -w <<< "$clouds")" = 5 ] || { echo "FAILED: kinds of clouds: $clouds"; exit 1; }
   mapfile -t folders < <(find "$work/headers/include" -mindepth 1 -type d)
   for cloud in $clouds; do
     sed "s/@cloud@/$cloud/" "$home/src/openfoam/cloud.cpp.in" > "$work/$cloud.cpp"
   done
   for source in "$work"/*Cloud.cpp "$home"/src/openfoam/*.cpp; do
-    g++ "$standard" -fsyntax-only -Wall -Wextra -Werror "-DOPENFOAM=$api" -DWM_DP -DWM_LABEL_SIZE=32 -DNoRepository \
+    g++ "-std=c++$standard" -fsyntax-only -Wall -Wextra -Werror "-DOPENFOAM=$api" -DWM_DP -DWM_LABEL_SIZE=32 -DNoRepository \
       -I"$home/src" "${folders[@]/#/-isystem}" "$source" || { echo "FAILED: ${source##*/} in OpenFOAM $api"; exit 1; }
   done
-  echo "OpenFOAM $api, $standard: $(wc -w <<< "$clouds") kinds of clouds compile"
+  echo "OpenFOAM $api, C++$standard: 5 kinds of clouds compile"
 done
