@@ -4,7 +4,7 @@
 #ifndef ASP_SPREAD_FLIGHT_H
 #define ASP_SPREAD_FLIGHT_H
 
-#include "asperity_internal.h"
+#include "surface/ball.h"
 
 /* Maxima over blocks of cells, so that a flight can skip cells: level k has one maximum per block
  * of 4^k x 4^k cells. A tile of 4 x 4 blocks is contiguous in memory. */
@@ -41,8 +41,9 @@ typedef struct aspi_field {
  * many peaks. */
 double aspi_fall_least(double r_q, double length);
 
-static inline double aspi_field_length(const aspi_field *field) {
-  return (double)field->cells[0] * field->step[0];
+/* The length of a side. */
+static inline double aspi_field_length(const aspi_field *field, int axis) {
+  return (double)field->cells[axis] * field->step[axis];
 }
 
 /* False: the gradient at a hit comes from the heights. */
@@ -72,6 +73,9 @@ void aspi_field_scale(aspi_field *row, double factor);
 double aspi_field_slope(const aspi_field *field, size_t i);
 double aspi_field_fall(const aspi_field *field, double alpha1);
 void aspi_field_first_hits(const aspi_field *field, double fall, double *weight);
+
+/* The center and its contact over a place of a map, in points: 0 <= at <= cells. */
+aspi_touch aspi_field_at(const aspi_field *field, const double at[2]);
 
 /* A particle on the field, x and y in points. */
 typedef struct aspi_spot {
