@@ -26,6 +26,9 @@ enum { DIRECTIONS = 16, PER_LAMBDA = 24, STRAIGHT = 32768, PUSHED = 16384, TRIES
 /* Steps across the way while a sphere settles, and halvings of the last one. */
 enum { SETTLES_MOST = 64, HALVINGS = 3 };
 
+/* Starts in the list per correlation length of a valley. */
+#define STARTS 6.0
+
 /* Waves lower than this share of the rms height along a line are no valleys. */
 #define LOW 0.1
 
@@ -53,9 +56,9 @@ struct aspi_valleys {
 };
 
 /* Heights of the center along a line, and their slopes along it and across it. kink: the contact
- * jumps by more than this. */
+ * jumps by more than this; every: points per start of a valley. */
 typedef struct line {
-  size_t n;
+  size_t n, every;
   double step, radius, kink, *z, *p, *q;
 } line;
 
@@ -110,8 +113,13 @@ static size_t steepest(const line *l, size_t trough, size_t crest) {
   return at;
 }
 
+/* A sphere that lies somewhere lies in a valley in proportion to its length: one start per length.
+ */
 static bool add_start(class *c, const line *l, size_t trough, size_t crest) {
-  return add(&c->start, l->p[steepest(l, trough, crest)]);
+  bool ok = true;
+  for (size_t i = trough; i < crest && ok; i += l->every)
+    ok = add(&c->start, l->p[steepest(l, trough, crest)]);
+  return ok;
 }
 
 /* The height of a crest; and a face, if its trough is no kink. */
@@ -255,6 +263,7 @@ static bool fill_map(class *to, int directions, const aspi_field *over, const as
                      double lay, line *l) {
   double longer = fmin(aspi_surface_stretch(surface), LONGER_MOST);
   l->step = asp_surface_lambda_c(surface) / PER_LAMBDA;
+  l->every = (size_t)(PER_LAMBDA / STARTS);
   l->kink = fmax((ASPI_KINK - 1) * l->step, 0.5 * fmax(over->step[0], over->step[1]));
   course c = {.over = over, .step = l->step};
   bool ok = make_room(l, (size_t)(longer * STRAIGHT / DIRECTIONS));
@@ -283,10 +292,11 @@ static void turn_round(line *l) {
 }
 
 /* In space both ways. */
-static bool fill_row(class *k, const aspi_field *row, bool in_space, line *l) {
+static bool fill_row(class *k, const aspi_field *row, double lambda, bool in_space, line *l) {
   bool ok = make_room(l, (size_t)row->columns);
   l->n = (size_t)row->columns;
   l->step = row->step[0];
+  l->every = (size_t)fmax(1, lambda / (STARTS * l->step));
   l->kink = (ASPI_KINK - 1) * l->step;
   for (size_t i = 0; i < l->n && ok; i++) {
     l->z[i] = (double)row->z[i];
@@ -330,7 +340,7 @@ static bool fill_bin(aspi_valleys *v, int bin, const asp_spread_model *model, co
   bool ok = true;
   for (int part = 0; ok && (over = model->field(data, bin, part)); part++) {
     ok = over->axes > 1 ? fill_map(at, v->directions, over, of->surface, lay, &l)
-                        : fill_row(at, over, of->in_space, &l);
+                        : fill_row(at, over, asp_surface_lambda_c(of->surface), of->in_space, &l);
     free(l.z);
   }
   for (class *k = at; k < at + v->directions && ok; k++) {

@@ -194,13 +194,14 @@ static void a_profile_given_twice_is_that_profile(void **state) {
 /* The same wall, but for what meets four ends: about 1 % of it. */
 static void pieces_of_a_profile_are_that_profile(void **state) {
   enum { PIECES = 4, POINTS = 16384 };
-  asp_heights *whole = aspi_profile_generate(0.1, 1, 1. / 32, PIECES * POINTS, 7, NULL),
-              *cut = NULL;
+  asp_heights *made = aspi_profile_generate(0.1, 1, 1. / 32, PIECES * POINTS, 7, NULL), *cut = NULL;
+  asp_heights *whole = asp_heights_create(made->z, PIECES * POINTS, 1, 1. / 32, 0, false, NULL);
   for (size_t k = 0; k < PIECES; k++) {
     asp_heights *piece =
-        asp_heights_create(whole->z + k * POINTS, POINTS, 1, 1. / 32, 0, false, NULL);
+        asp_heights_create(made->z + k * POINTS, POINTS, 1, 1. / 32, 0, false, NULL);
     cut = chain(piece, cut);
   }
+  asp_heights_free(made);
   asp_wall *of[2] = {wall_over(plane, whole, 1, 1), wall_over(plane, cut, 1, 1)};
   double start[2][DRAWS], square[2];
   for (int i = 0; i < 2; i++) {
@@ -230,11 +231,29 @@ static void kinks_between_beads_are_sharp(void **state) {
   asp_wall_free(wall);
 }
 
+/* Waves of length 1 and 3 in turn: three quarters of all places are in long ones. */
+static void places_are_more_often_in_long_valleys(void **state) {
+  enum { POINTS = 64, PAIRS = 20 };
+  double z[4 * POINTS * PAIRS];
+  for (int i = 0; i < 4 * POINTS * PAIRS; i++) {
+    int at = i % (4 * POINTS);
+    z[i] = 0.05 * cos(2 * ASP_PI * (at < POINTS ? at : (at - POINTS) / 3.) / POINTS);
+  }
+  asp_wall *wall = wall_over(
+      plane, asp_heights_create(z, 4 * POINTS * PAIRS, 1, 1. / POINTS, 0, true, NULL), 0.05, 0.05);
+  double start[DRAWS];
+  draw_starts(wall, 0.05, start);
+  assert_near(start[(int)(0.71 * DRAWS)], 2 * ASP_PI * 0.05 / 3, 0.003);
+  assert_near(start[(int)(0.79 * DRAWS)], 2 * ASP_PI * 0.05, 0.003);
+  asp_wall_free(wall);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(grains_lie_in_the_hollows_of_beads),
                                      cmocka_unit_test(depths_that_no_grain_reaches_do_not_count),
                                      cmocka_unit_test(discs_lie_between_waves),
                                      cmocka_unit_test(kinks_between_beads_are_sharp),
+                                     cmocka_unit_test(places_are_more_often_in_long_valleys),
                                      cmocka_unit_test(profiles_count_by_their_length),
                                      cmocka_unit_test(a_profile_given_twice_is_that_profile),
                                      cmocka_unit_test(pieces_of_a_profile_are_that_profile)};
