@@ -150,7 +150,8 @@ typedef struct asp_impact {
  * body, v1 and v2 are the velocity of its center of mass, and every law changes its spin; u = v1 +
  * omega x lever must approach (u.n < 0). Afterwards u leaves the wall, but v2 may not. A wall with
  * `grain lever` makes every particle without a body an eccentric one. No allocation. ASP_EARG if
- * the law needs a pair and neither particle nor wall has one, ASP_ERANGE if `viscosity` or
+ * the law needs a pair and neither particle nor wall has one, or if an eccentric grain has no
+ * density > 0, ASP_ERANGE if `viscosity` or
  * `soften_modulus` does not hold at the temperature; velocity and spin are then unchanged.
  * Where a number of the particle, v1 or n is not finite, v2 is NAN in a rebound without hits. */
 asp_code asp_wall_impact(const asp_wall *wall, const asp_particle *particle, const double v1[3],

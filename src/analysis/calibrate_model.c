@@ -9,7 +9,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Each bin has its own range of tags. */
 enum { TAGS_OF_A_BIN = 1 << 30 };

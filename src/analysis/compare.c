@@ -33,8 +33,6 @@ static asp_code no_memory(size_t count, asp_error *error) {
   return aspi_fail(error, ASP_ENOMEM, "out of memory for %zu impacts", count);
 }
 
-/* ---- borders between impacts ---- */
-
 static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
 
 static int by_number(const void *left, const void *right) {
@@ -75,9 +73,6 @@ void aspi_compare_grouping_free(aspi_grouping *grouping) {
   for (int d = 0; d < 3; d++)
     free(grouping->border[d]);
 }
-
-/* ---- the bins' rows ---------------------------------------------------------------------------
- */
 
 /* True if places were measured repeatedly. A ledger of a curved wall has some such places, and many
  * that were hit once. */
@@ -125,9 +120,6 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
     describe_place(data, &c->bins[b]);
   return ASP_OK;
 }
-
-/* ---- impacts at a place -----------------------------------------------------------------------
- */
 
 /* What the bins take the model's impacts from; taken: of one bin. */
 typedef struct source {
@@ -196,9 +188,6 @@ static bool take_data(const aspi_scatter *data, aspi_compare_bin *b) {
   aspi_side_describe(side);
   return true;
 }
-
-/* ---- all bins ---------------------------------------------------------------------------------
- */
 
 static void free_impacts(aspi_side *side) {
   free(side->impacts);

@@ -12,7 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 const char *const aspi_face_names[ASPI_FACE_FIELDS][2] = {{"impacts", "impacts"},
                                                           {"deposited_mass", "depositedMass"},
@@ -59,8 +58,6 @@ static bool add_face(void *to, const ContactTriangle *triangle) {
   ((Reader *)to)->faces->count++;
   return good;
 }
-
-/* ---- VTK ---- */
 
 /* The array of a name; without a name, or of points' values, none that counts. */
 static int array_of(const char *name) {
@@ -163,8 +160,6 @@ static asp_code make_faces(Reader *r) {
     code = aspi_file_fail(r->text.path, 0, r->error, "no faces: VTK must have polygons");
   return code;
 }
-
-/* ---- all ---- */
 
 /* Areas, and the values that the file has. */
 static asp_code finish(Reader *r) {

@@ -64,8 +64,7 @@ typedef struct search {
   double low[FIT_UNKNOWNS_MOST], high[FIT_UNKNOWNS_MOST]; /* equal: the unknown is held */
 } search;
 
-/* ---- bounds -----------------------------------------------------------------------------------
- */
+/* ---- bounds ---- */
 
 static double scale_of(const aspi_unknown *u, double value) {
   return u->bounded ? log((value - u->least) / (u->most - value)) : log(value);
@@ -89,8 +88,7 @@ static void limit(const search *s, double *at) {
     at[j] = fmin(fmax(at[j], s->low[j]), s->high[j]);
 }
 
-/* ---- residuals --------------------------------------------------------------------------------
- */
+/* ---- residuals ---- */
 
 /* Covariance of two moments, measured minus simulated; model NULL: by the data's scatter. The
  * second term is that of variances of few impacts. */
@@ -193,8 +191,7 @@ static int slopes(const gsl_vector *x, void *data, gsl_matrix *out) {
   return down ? GSL_SUCCESS : GSL_ENOMEM;
 }
 
-/* ---- least squares ----------------------------------------------------------------------------
- */
+/* ---- least squares ---- */
 
 /* Errors and correlations; an unknown without influence has an infinite error. */
 static void find_errors(gsl_multifit_nlinear_workspace *solver, size_t p, aspi_fit *fit) {

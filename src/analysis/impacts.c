@@ -107,8 +107,6 @@ void aspi_scatter_gather(aspi_scatter *s) {
   s->merge_at = 2 * s->count > ROOM_LEAST ? 2 * s->count : ROOM_LEAST;
 }
 
-/* ---- bins ---- */
-
 /* A step between angles that separates two clusters. */
 static bool is_gap(const aspi_scatter_row *row, double width) {
   return row->degrees - row[-1].degrees > 0.5 * width;

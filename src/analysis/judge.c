@@ -22,8 +22,6 @@
 /* Flights over a generated profile: over itself and its negative, and in both directions. */
 enum { FLIGHTS = 4 };
 
-/* ---- one flight ---- */
-
 /* The path of the particle's center over a realization, as one of the flights meets it. */
 static asp_heights *path_of(const aspi_judge_case *subject, size_t number, int flight,
                             asp_error *error) {
@@ -122,8 +120,6 @@ static asp_code fly_group(aspi_judge *judge, const aspi_judge_case *subject, con
   }
   return code;
 }
-
-/* ---- all of them ---- */
 
 asp_code aspi_judge_create(aspi_judge *judge, const aspi_judge_case *subject, const double *degrees,
                            size_t count, asp_error *error) {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 /* Rows of a leaf. Angle, speed, size. A tree for each of: both known, speed, size, none. */
-enum { LEAF = 8, PLACES = 3, TREES = 4 };
+enum { LEAF = 16, PLACES = 3, TREES = 4 };
 
 /* A reach of 0 counts as this. */
 #define FAR_LEAST 1e-4
@@ -21,7 +21,7 @@ typedef struct node {
 
 typedef struct point {
   const aspi_scatter_row *row;
-  double at[PLACES], weight; /* 0 where it is not known */
+  double rows, at[PLACES], weight; /* 0 where it is not known */
 } point;
 
 struct aspi_near {
@@ -34,7 +34,7 @@ struct aspi_near {
 };
 
 typedef struct box {
-  double center[PLACES], reach[PLACES]; /* infinite where it does not count */
+  double center[PLACES], reach[PLACES];
 } box;
 
 static void swap(point *a, point *b) {
@@ -68,7 +68,7 @@ static void build(const aspi_near *near, node *nodes, size_t k, point *p, size_t
   int longest = 0;
   double most = 0;
   for (size_t i = 0; i < count; i++)
-    own->rows += p[i].row->rows;
+    own->rows += p[i].rows;
   for (int d = 0; d < PLACES; d++) {
     for (size_t i = 0; i < count; i++) {
       own->least[d] = fmin(own->least[d], p[i].at[d]);
@@ -98,8 +98,11 @@ static bool make(aspi_near *near, const aspi_scatter *impacts) {
     for (size_t i = 0; i < impacts->count; i++) {
       const aspi_scatter_row *row = &impacts->rows[i];
       if (tree_of(row) == t)
-        near->points[n++] = (point){
-            row, {row->degrees, isnan(row->v1) ? 0 : row->v1, isnan(row->d_p) ? 0 : row->d_p}, 0};
+        near->points[n++] =
+            (point){row,
+                    row->rows,
+                    {row->degrees, isnan(row->v1) ? 0 : row->v1, isnan(row->d_p) ? 0 : row->d_p},
+                    0};
     }
     near->first[t + 1] = n;
     size_t count = n - near->first[t], nodes = 1;
@@ -137,56 +140,58 @@ void aspi_near_free(aspi_near *near) {
   free(near);
 }
 
-/* How a span lies to the box: 1 inside, -1 outside, 0 partly. */
-static int lies(const box *b, const double least[PLACES], const double most[PLACES]) {
-  bool inside = true;
+/* Narrows `open`, bits of the coordinates in which a span may reach out of the box, to those in
+ * which it does; -1: it is outside. */
+static int cuts(const box *b, const double least[PLACES], const double most[PLACES], int open) {
+  int cut = 0;
   for (int d = 0; d < PLACES; d++) {
+    if (!(open >> d & 1))
+      continue;
     double low = least[d] - b->center[d], high = most[d] - b->center[d], reach = b->reach[d];
     if (low > reach || -high > reach)
       return -1;
-    inside = inside && -low <= reach && high <= reach;
+    cut |= (-low > reach || high > reach) << d;
   }
-  return inside;
+  return cut;
 }
 
-static double find(aspi_near *near, node *nodes, size_t k, point *p, size_t count, const box *b) {
+static double find(aspi_near *near, node *nodes, size_t k, point *p, size_t count, const box *b,
+                   int open) {
   node *own = &nodes[k];
-  int place = lies(b, own->least, own->most);
-  if (place < 0)
+  open = cuts(b, own->least, own->most, open);
+  if (open < 0)
     return 0;
   own->touched = true;
-  if (place > 0) {
+  if (open == 0) {
     near->found[near->n_found++] = &own->added;
     return own->rows;
   }
   if (count > LEAF)
-    return find(near, nodes, 2 * k + 1, p, count / 2, b) +
-           find(near, nodes, 2 * k + 2, p + count / 2, count - count / 2, b);
+    return find(near, nodes, 2 * k + 1, p, count / 2, b, open) +
+           find(near, nodes, 2 * k + 2, p + count / 2, count - count / 2, b, open);
   double rows = 0;
-  for (size_t i = 0; i < count; i++)
-    if (lies(b, p[i].at, p[i].at) > 0) {
-      near->found[near->n_found++] = &p[i].weight;
-      rows += p[i].row->rows;
-    }
+  for (size_t i = 0; i < count; i++) { /* without branches, as half of these are outside */
+    bool inside = true;
+    for (int d = 0; d < PLACES; d++)
+      inside &= !(open >> d & 1) | (fabs(p[i].at[d] - b->center[d]) <= b->reach[d]);
+    near->found[near->n_found] = &p[i].weight;
+    near->n_found += inside;
+    rows += inside * p[i].rows;
+  }
   return rows;
 }
 
 double aspi_near_find(aspi_near *near, const aspi_scatter_row *at,
                       const aspi_compare_reach *reach) {
+  const box b = {{at->degrees, at->v1, at->d_p},
+                 {reach->degrees, reach->speed * at->v1, reach->size * at->d_p}};
   double rows = 0;
   near->n_found = 0;
   for (int t = 0; t < TREES; t++) {
-    const bool unknown[PLACES] = {false, t % 2 || isnan(at->v1), t / 2 || isnan(at->d_p)};
-    box b = {{at->degrees, at->v1, at->d_p},
-             {reach->degrees, reach->speed * at->v1, reach->size * at->d_p}};
-    for (int d = 0; d < PLACES; d++)
-      if (unknown[d]) {
-        b.center[d] = 0;
-        b.reach[d] = INFINITY;
-      }
+    const int known = 1 | !(t % 2 || isnan(at->v1)) << 1 | !(t / 2 || isnan(at->d_p)) << 2;
     size_t count = near->first[t + 1] - near->first[t];
     if (count)
-      rows += find(near, near->nodes[t], 0, near->points + near->first[t], count, &b);
+      rows += find(near, near->nodes[t], 0, near->points + near->first[t], count, &b, known);
   }
   return rows;
 }

@@ -8,8 +8,6 @@
 const aspi_sample aspi_sample_none = {
     .size = NAN, .mean = NAN, .sd = NAN, .mean_se = NAN, .sd_se = NAN};
 
-/* ---- samples ---- */
-
 static aspi_sample describe(const aspi_side *side, int k) {
   aspi_sample s = aspi_sample_none;
   double total = 0, squares = 0, mean = 0, second = 0, fourth = 0, sums[4];
@@ -64,8 +62,6 @@ void aspi_side_describe(aspi_side *side) {
   double both = sqrt(square[COR_N] * square[COR_T]);
   side->correlation = both > 0 ? product / both : 0;
 }
-
-/* ---- differences ---- */
 
 /* The standard error of the difference of two sd. The kurtosis is pooled over both samples because
  * small samples estimate it poorly. */

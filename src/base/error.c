@@ -142,13 +142,14 @@ asp_code aspi_fail_unknown(asp_error *error, const char *what, const char *name,
                    list);
 }
 
-int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
+int aspi_find_name(const char *what, const char *name, int count, const void *records,
                    asp_error *error) {
   char list[400] = "";
+  const char *const *const *names = records; /* each pointer is to the name of a record, too */
   for (int i = 0; i < count; i++) {
-    if (name && strcasecmp(name_at(i), name) == 0)
+    if (name && strcasecmp(*names[i], name) == 0)
       return i;
-    aspi_append(list, sizeof list, "%s%s", *list ? " " : "", name_at(i));
+    aspi_append(list, sizeof list, "%s%s", *list ? " " : "", *names[i]);
   }
   aspi_fail_unknown(error, what, name ? name : "", list);
   return -1;

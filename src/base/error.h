@@ -55,9 +55,9 @@ int aspi_word_index(const char *list, const char *word, size_t length, bool exac
 /* Writes the most similar name of a list into `meant`; false if none is similar. */
 bool aspi_nearest_name(const char *name, const char *list, char meant[64]);
 
-/* Index of a name, in upper or lower case, among `count` names; -1 and the message of
- * aspi_fail_unknown if it is not there. */
-int aspi_find_name(const char *what, const char *name, int count, const char *(*name_at)(int),
+/* Index of a name, in upper or lower case, among `count` records that begin with a name; -1 and the
+ * message of aspi_fail_unknown if it is not there. */
+int aspi_find_name(const char *what, const char *name, int count, const void *records,
                    asp_error *error);
 
 #endif

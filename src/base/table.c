@@ -14,8 +14,6 @@
  * Longer headers are kept up to here. */
 enum { ROWS_LEAST = 3, HEADER_MOST = 1 << 16 };
 
-/* ---- lines ---- */
-
 /* Cuts the current line. */
 static asp_code cut(aspi_table *t, asp_error *error) {
   char *rest = t->text.text, *field;
@@ -82,10 +80,15 @@ aspi_word aspi_table_field(const aspi_table *t, int column, double *value) {
   *value = NAN;
   if (column < 0 || column >= t->all)
     return ASP_WORD_MISSING;
-  return aspi_text_number(t->fields[column], t->thousands, value);
+  const char *field = t->fields[column];
+  aspi_word word = aspi_text_number(field, t->thousands, value);
+  const char *unit = word == ASP_WORD_OTHER ? aspi_cell_unit(field) : "";
+  if (!*unit || (column < t->columns && strcmp(t->column[column].unit, unit) != 0))
+    return word;
+  char number[ASP_PLAIN_MOST];
+  snprintf(number, sizeof number, "%.*s", (int)(unit - field), field);
+  return aspi_text_number(number, t->thousands, value);
 }
-
-/* ---- the header ---- */
 
 static bool begins(const aspi_table *t, int least) {
   double value;
@@ -99,7 +102,8 @@ static bool begins(const aspi_table *t, int least) {
 }
 
 /* Finds the line of the first row; 0 if there is none. Rows above a line of words, fewer than
- * ROWS_LEAST, are part of the header. */
+ * ROWS_LEAST, are part of the header; but in a table (least 0) one word alone is the heading of a
+ * group. */
 static asp_code find_start(aspi_table *t, int least, asp_error *error) {
   size_t start = 0, first = 0, rows = 0;
   double value;
@@ -110,7 +114,8 @@ static asp_code find_start(aspi_table *t, int least, asp_error *error) {
     if (row && rows++ == 0)
       start = t->text.line;
     first = first ? first : start;
-    if (!row && !comment && aspi_table_field(t, 0, &value) != ASP_WORD_NUMBER)
+    bool heading = least == 0 && t->count == 1;
+    if (!row && !comment && !heading && aspi_table_field(t, 0, &value) != ASP_WORD_NUMBER)
       rows = 0;
   }
   t->start = rows > 0 ? start : first;
@@ -183,8 +188,6 @@ void aspi_table_close(aspi_table *t) {
   free(t->fields);
   free(t);
 }
-
-/* ---- rows and values ---- */
 
 /* True for a line of words among the rows, as the heading of a group. */
 static bool is_heading(const aspi_table *t) {

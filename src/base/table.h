@@ -20,6 +20,7 @@ typedef struct aspi_column {
    * single underscores: `α_1 [°]` is alpha_1_deg. */
   char plain[ASP_PLAIN_MOST];
   bool bracketed;
+  char unit[16]; /* behind the numbers of its cells, as in `2 um`; "": there is none */
 } aspi_column;
 
 typedef struct aspi_table {
@@ -72,7 +73,7 @@ int aspi_table_need(const aspi_table *table, const char *name, asp_error *error)
  */
 int aspi_table_asked(const aspi_table *table, const char *asked, int most);
 
-/* Kind and number of a field of the line. */
+/* Kind and number of a field of the line, which may carry the unit of its column. */
 aspi_word aspi_table_field(const aspi_table *table, int column, double *value);
 
 /* The number in a column of the row, least <= value <= most; *missing where it is empty or a mark
@@ -92,6 +93,9 @@ void aspi_plain(const char *name, char *to, size_t size);
 /* Names from the last line above the first row, of which the fields are counted, or the last two,
  * of which the second has their units. */
 asp_code aspi_table_parse_names(aspi_table *table, int least, asp_error *error);
+
+/* The unit behind a number, as in `2 um`; "": there is none. */
+const char *aspi_cell_unit(const char *field);
 
 asp_code aspi_table_no_memory(const aspi_table *table, asp_error *error);
 

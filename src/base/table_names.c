@@ -112,6 +112,32 @@ static int cut_names(aspi_table *t, const char *line, bool wide, int *all, aspi_
   return field || !copy ? -1 : count;
 }
 
+const char *aspi_cell_unit(const char *field) {
+  const char *unit = field + strspn(field, "+-0123456789.,eE ");
+  return unit > field && aspi_unit_find(NULL, unit, strlen(unit), false) ? unit : "";
+}
+
+/* Units in the cells of the first row become part of the names. */
+static asp_code take_units(aspi_table *t, asp_error *error) {
+  bool any = t->nameless;
+  for (int i = 0; i < t->count && t->columns == 0; i++)
+    any = any || *aspi_cell_unit(t->fields[i]);
+  if (any && !(t->column = calloc((size_t)t->count, sizeof *t->column)))
+    return aspi_table_no_memory(t, error);
+  t->columns = any ? t->count : t->columns;
+  for (int i = 0; i < t->count && i < t->columns; i++) {
+    aspi_column *c = &t->column[i];
+    char plain[ASP_PLAIN_MOST];
+    snprintf(c->unit, sizeof c->unit, "%s", aspi_cell_unit(t->fields[i]));
+    aspi_plain(c->unit, plain, sizeof plain);
+    size_t length = strlen(plain), all = strlen(c->plain);
+    c->bracketed = c->bracketed || length > 0;
+    if (length > 0 && (all < length || strcmp(c->plain + all - length, plain) != 0))
+      aspi_append(c->plain, sizeof c->plain, "%s%s", all ? "_" : "", plain);
+  }
+  return ASP_OK;
+}
+
 asp_code aspi_table_parse_names(aspi_table *t, int least, asp_error *error) {
   const char *end = t->header + strlen(t->header), *line;
   for (int k = 0; k < 2 && (line = line_above(t, &end)) != NULL; k++) {
@@ -157,11 +183,7 @@ asp_code aspi_table_parse_names(aspi_table *t, int least, asp_error *error) {
       break;
   }
   t->nameless = t->columns == 0 && least == 0 && t->count > 0;
-  if (!t->nameless)
-    return ASP_OK;
-  t->columns = t->count;
-  t->column = calloc((size_t)t->columns, sizeof *t->column);
-  return t->column ? ASP_OK : aspi_table_no_memory(t, error);
+  return take_units(t, error);
 }
 
 int aspi_table_find(const aspi_table *t, const char *name) {

@@ -6,13 +6,13 @@
 #include "base/error.h"
 #include "base/number.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
+
+const asp_units aspi_si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
 
 /* Behind the Latin names those in UTF-8 and Latin-1, with a micro sign or a Greek mu. */
 static const aspi_unit known[] = {
@@ -67,8 +67,6 @@ double aspi_unit_meters(const char *name, size_t length) {
   const aspi_unit *u = aspi_unit_find("length", name, length, false);
   return u ? u->factor * pow(10, u->exponent) : 0;
 }
-
-/* ---- numbers with units ---- */
 
 /* The kinds of quantities that have powers of meter, kilogram and second in their units. */
 static const struct {

@@ -16,6 +16,8 @@ typedef struct aspi_unit {
   bool listed;
 } aspi_unit;
 
+extern const asp_units aspi_si;
+
 /* Finds a unit of a kind (NULL: any) by name; unless `exact`, in upper or lower case (except names
  * of one letter). NULL: there is none. */
 const aspi_unit *aspi_unit_find(const char *kind, const char *name, size_t length, bool exact);

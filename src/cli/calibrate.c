@@ -10,7 +10,6 @@
 #include "cli/scatter.h"
 #include "cli/cli.h"
 #include "description/description.h"
-#include "rebound/laws.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>

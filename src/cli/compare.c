@@ -7,7 +7,6 @@
 #include "cli/scatter.h"
 
 #include <math.h>
-#include <string.h>
 
 static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "alpha2_deg", "deposits"};
 
@@ -19,8 +18,6 @@ static const char *const names[ASPI_QUANTITIES] = {"cor_n", "cor_t", "alpha2_deg
 
 /* With more places than this, impacts alone were not measured again and again. */
 enum { PLACES_MOST = 1 << 14 };
-
-/* ---- output ---- */
 
 static void print_side(FILE *out, const aspi_sample *s, double n, bool has_sd) {
   cli_row(out, "%.6g,%.6g,%.6g,%.6g,%.6g,", n, s->mean, s->mean_se, has_sd ? s->sd : NAN,
@@ -103,8 +100,6 @@ static void warn_unknown(const aspi_comparison *c) {
     cli_warn(text, c->names[0], "sizes");
 }
 
-/* ---- the command ---- */
-
 static void table_impacts(aspi_comparison *c, cli_call *call, double width, bool given) {
   static const char *const of_data[] = {"near", "columns", "from"};
   for (int i = 0; i < 3; i++)
@@ -134,8 +129,6 @@ static void compare_with(aspi_comparison *c, cli_call *call, double width, bool 
   check_bins(c);
   warn_no_score(c);
 }
-
-/* ---- the run ---- */
 
 static void run(cli_call *call) {
   bool alone = call->n_words == 1;

@@ -2,7 +2,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/description.h"
-#include "base/number.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "description/words.h"
@@ -10,7 +9,6 @@
 #include "wall/wall.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Refuses `rq 15`, which would be 15 m, and `oka 1.8`, which would be 1.8 Pa. */

@@ -8,7 +8,6 @@
 #include "description/description.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Impacts per block, at least. */

@@ -14,12 +14,8 @@ static const cli_command *const commands[] = {
 
 enum { COMMANDS = sizeof commands / sizeof *commands - 1 };
 
-static const char *name_at(int index) {
-  return commands[index]->name;
-}
-
 static const cli_command *find(const char *name) {
-  int index = aspi_find_name("command", name, COMMANDS, name_at, &cli_error);
+  int index = aspi_find_name("command", name, COMMANDS, commands, &cli_error);
   cli_must(index >= 0);
   return commands[index];
 }
@@ -31,7 +27,7 @@ static void help(int count, char **words) {
     cli_complete(commands, count - 1, words + 1);
   else if (strcmp(words[0], "wall") == 0)
     cli_help_wall();
-  else if (aspi_find_name("", words[0], COMMANDS, name_at, NULL) >= 0 || !cli_help_word(words[0]))
+  else if (aspi_find_name("", words[0], COMMANDS, commands, NULL) >= 0 || !cli_help_word(words[0]))
     cli_parse(find(words[0]), 2, arguments);
   cli_file_close(stdout);
 }

@@ -55,7 +55,6 @@ static void take_view(picture *p, const cli_option *option) {
 }
 
 static void take_clip(picture *p, const cli_option *option) {
-  static const asp_units si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
   char *text = cli_copy(option->value), *part[3];
   for (int i = 0; i < 3; i++)
     part[i] = aspi_text_field(&text, ':');
@@ -67,8 +66,8 @@ static void take_clip(picture *p, const cli_option *option) {
   p->to = INFINITY;
   for (int i = 1; i < 3; i++)
     if (*part[i])
-      cli_must(!aspi_quantity_read("--clip", part[i], "length", &si, i == 1 ? &p->from : &p->to,
-                                   &cli_error));
+      cli_must(!aspi_quantity_read("--clip", part[i], "length", &aspi_si,
+                                   i == 1 ? &p->from : &p->to, &cli_error));
 }
 
 static bool is_drawn(const picture *p, const double x[3]) {

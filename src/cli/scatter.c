@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/scatter.h"
 #include "base/units.h"
-#include "base/tolerances.h"
 
 #include <stdlib.h>
 

@@ -7,9 +7,7 @@
 #include "base/units.h"
 #include "base/tolerances.h"
 
-#include <ctype.h>
 #include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Kind of quantity in a column; "" is a coefficient. */
@@ -29,6 +27,10 @@
 
 /* What stands before the name of the units in a ledger's comment. */
 #define UNITS "; units "
+
+#define VECTOR(AT, X, Y, Z, KIND)                                                                  \
+  [AT] = {X, KIND, -LARGE, LARGE}, [AT + 1] = {Y, KIND, -LARGE, LARGE},                            \
+  [AT + 2] = {Z, KIND, -LARGE, LARGE}
 
 /* Plain names (aspi_plain); the first one is shown. */
 static const struct {
@@ -90,21 +92,11 @@ static const struct {
     [TAG] = {"tag", RATIO, 0, LARGE},
     [IMPACT] = {"impact", RATIO, 0, UINT32_MAX},
     [BODY] = {"body", RATIO, 0, LARGE},
-    [NORMAL + 0] = {"nx", RATIO, -LARGE, LARGE},
-    [NORMAL + 1] = {"ny", RATIO, -LARGE, LARGE},
-    [NORMAL + 2] = {"nz", RATIO, -LARGE, LARGE},
-    [BEFORE + 0] = {"v1x", SPEED, -LARGE, LARGE},
-    [BEFORE + 1] = {"v1y", SPEED, -LARGE, LARGE},
-    [BEFORE + 2] = {"v1z", SPEED, -LARGE, LARGE},
-    [AFTER + 0] = {"v2x", SPEED, -LARGE, LARGE},
-    [AFTER + 1] = {"v2y", SPEED, -LARGE, LARGE},
-    [AFTER + 2] = {"v2z", SPEED, -LARGE, LARGE},
-    [SPIN + 0] = {"omega1x", RATE, -LARGE, LARGE},
-    [SPIN + 1] = {"omega1y", RATE, -LARGE, LARGE},
-    [SPIN + 2] = {"omega1z", RATE, -LARGE, LARGE},
-    [PLACE + 0] = {"x", LENGTH, -LARGE, LARGE},
-    [PLACE + 1] = {"y", LENGTH, -LARGE, LARGE},
-    [PLACE + 2] = {"z", LENGTH, -LARGE, LARGE},
+    VECTOR(NORMAL, "nx", "ny", "nz", RATIO),
+    VECTOR(BEFORE, "v1x", "v1y", "v1z", SPEED),
+    VECTOR(AFTER, "v2x", "v2y", "v2z", SPEED),
+    VECTOR(SPIN, "omega1x", "omega1y", "omega1z", RATE),
+    VECTOR(PLACE, "x", "y", "z", LENGTH),
 };
 
 /* ---- names and units ---- */

@@ -4,7 +4,6 @@
 #include "cli/cli.h"
 #include "cli/surface.h"
 #include "description/description.h"
-#include "base/error.h"
 #include "base/number.h"
 #include "base/text.h"
 #include "base/units.h"
@@ -377,7 +376,7 @@ static const cli_option options[] = {
     {"points", "N", "points of the generated profile, lambda_c/128 apart", "524288"},
     {"unit", "U[,U]",
      "unit of the columns of a file that does not state it, or the length that stands for 1", NULL},
-    {"row", "N", "row of an SDF, SUR or X3P map that is the profile", "1"},
+    {"row", "N", "row of an SDF, SUR or X3P map, or trace of a text, that is the profile", "1"},
     {"column", "N|NAME", "column with the heights of a text, or of such a map in place of a row",
      NULL},
     {"x-column", "N|NAME", "column with the positions of a text", NULL},

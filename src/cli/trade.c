@@ -10,7 +10,6 @@
 #include "spread/models.h"
 #include "surface/size_law.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -77,8 +76,6 @@ static void judge_all(const cli_list *angles, aspi_judge_case *subject, const as
   aspi_judge_free(&judge);
 }
 
-/* ---- output ---- */
-
 static void print(FILE *out, const judged *rows, size_t n) {
   fputs("model,alpha1_deg,ns_per_impact,kl_first_hit,kl_rebound,kl_rebound_se,mean_rebound_deg,"
         "mean_rebound_reference_deg\n",
@@ -88,8 +85,6 @@ static void print(FILE *out, const judged *rows, size_t n) {
             r->cost, r->first_hit, r->rebound.kl, r->rebound.se, r->rebound.mean,
             r->rebound.reference_mean);
 }
-
-/* ---- the case ---- */
 
 /* Exits if no ensemble of profiles represents the wall. */
 static void check_wall(const asp_description *words) {

@@ -10,7 +10,6 @@
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A longer length (m) without a unit is more likely one whose unit was forgotten. */
@@ -52,8 +51,6 @@ static const char *given(const cli_option *option) {
   return option->value;
 }
 
-/* ---- one number ---- */
-
 void cli_check_unit(const char *name, const char *text, const char *kind) {
   bool stress = strcmp(kind, "stress") == 0;
   const char *unit = stress ? "Pa" : "m";
@@ -70,12 +67,11 @@ void cli_check_unit(const char *name, const char *text, const char *kind) {
  * `least`. */
 static double read_number(const cli_option *option, const char *text, const char *kind,
                           double least, double most) {
-  static const asp_units si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
   bool is_length = strcmp(kind, "length") == 0;
   char name[80];
   double value;
   snprintf(name, sizeof name, "--%s", option->name);
-  cli_must(!aspi_quantity_read(name, text, kind, &si, &value, &cli_error) &&
+  cli_must(!aspi_quantity_read(name, text, kind, &aspi_si, &value, &cli_error) &&
            !aspi_quantity_check(name, text, kind, value, least, most, is_length, &cli_error));
   if (is_length)
     cli_check_unit(name, text, kind);
@@ -121,8 +117,6 @@ int cli_choice(const cli_option *option) {
   }
   cli_bad_usage("--%s is '%s'; it must be %s", option->name, option->value, list);
 }
-
-/* ---- lists ---- */
 
 static _Noreturn void fail_form(const cli_option *option, const char *why) {
   cli_bad_usage("--%s is '%.100s'; %s: a list is a,b,c or from:to:step, a log-normal law "

@@ -12,8 +12,6 @@ bool asp_description_needs_sizes(const asp_description *d) {
   return d->kind == ASPI_PROFILE || (d->kind != ASPI_SMOOTH && aspi_description_spread(d)->prepare);
 }
 
-/* ---- what has no effect ---- */
-
 /* Why a word with this need has no effect; "": it has one. */
 static void find_lack(const asp_description *d, aspi_need need, char *why, size_t size) {
   const double rate = asp_description_get(d, "yield_rate"), heat = d->choice.heat.temperature,
@@ -129,8 +127,6 @@ double asp_description_softening(const asp_description *d) {
   return law->softening ? law->softening(d->choice.parameters, d->choice.heat.temperature) : 1;
 }
 
-/* ---- the surface of numbers ---- */
-
 asp_surface *aspi_description_surface(const asp_description *d, asp_error *error) {
   asp_error wrong = {.code = ASP_OK};
   asp_surface *made = d->kind == ASPI_SIGMA ? aspi_surface_create_slope(tan(aspi_radians(d->sigma)),
@@ -142,8 +138,6 @@ asp_surface *aspi_description_surface(const asp_description *d, asp_error *error
     aspi_fail(error, wrong.code, "surface: %s", wrong.text);
   return made;
 }
-
-/* ---- all together ---- */
 
 asp_code asp_description_check(const asp_description *d, asp_error *error) {
   if (d->broken.code)

@@ -12,13 +12,12 @@
 #include <string.h>
 
 asp_description *aspi_description_create(const asp_units *units, asp_error *error) {
-  static const asp_units si = {.name = "SI", .meter = 1, .kilogram = 1, .second = 1};
   asp_description *d = calloc(1, sizeof *d);
   if (!d) {
     aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
     return NULL;
   }
-  d->units = units ? *units : si;
+  d->units = units ? *units : aspi_si;
   d->units.name = d->units.name ? d->units.name : "the caller's units";
   d->last = "";
   d->sigma = d->r_q = d->lambda_c = NAN;
@@ -88,8 +87,6 @@ void asp_description_expect_pairs(asp_description *d) {
   d->pairs_come = true;
 }
 
-/* ---- numbers ---- */
-
 const aspi_keyword *aspi_number_find(const asp_description *d, const char *name, size_t *place) {
   int i = name ? aspi_rebound_parameter_find(d->choice.law, name) : -1;
   *place = offsetof(asp_description, choice.parameters) + (size_t)(i < 0 ? 0 : i) * sizeof(double);
@@ -153,8 +150,6 @@ bool aspi_is_fit(const asp_description *d, const char *name) {
   return false;
 }
 
-/* ---- words ---- */
-
 const char *asp_description_word(const asp_description *d, const char *name) {
   static const char *const kinds[] = {"smooth", "sigma", "rq", "profile", "map"};
   static const char *const deposits[] = {"freeze", "delete", "off"};
@@ -197,8 +192,6 @@ asp_lay asp_description_lay(const asp_description *d) {
   }
   return lay;
 }
-
-/* ---- materials ---- */
 
 int asp_description_materials(const asp_description *d) {
   return d->n_materials;

@@ -47,8 +47,6 @@ static si in_si(const asp_check_input *q, double value, const char *kind) {
   return made;
 }
 
-/* ---- constants of the pair ---- */
-
 static void yields_never(const asp_check_input *q, char *text, size_t size) {
   const asp_pair *pair = q->largest->pair;
   if (pair && !(asp_description_get(q->words, "yield_rate") > 0) &&
@@ -102,8 +100,6 @@ static void has_other_sizes(const asp_check_input *q, char *text, size_t size) {
   else
     aspi_append(text, size, "for smaller ones say 'rebound thornton_ning'");
 }
-
-/* ---- words ---- */
 
 static void is_high(const asp_check_input *q, char *text, size_t size) {
   double r_q = q->words->r_q, d_p = q->largest->d_p, meter = q->words->units.meter;
@@ -161,8 +157,6 @@ static void blows_off(const asp_check_input *q, char *text, size_t size) {
                 in_si(q, d_p, "length").text, flow->adhesion > 0 ? "a share of the" : "all of the",
                 share);
 }
-
-/* ---- the wall that was made ---- */
 
 static void has_odd_heights(const asp_check_input *q, char *text, size_t size) {
   if (q->wall && q->wall->heights.doubt.code)

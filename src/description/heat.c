@@ -4,8 +4,6 @@
 #include "base/units.h"
 #include "description/words.h"
 
-#include <math.h>
-
 static bool is_modulus(const aspi_keyword *k) {
   return strcmp(k->name, "soften_modulus") == 0;
 }

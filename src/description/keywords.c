@@ -5,12 +5,10 @@
 #include "description/description.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "spread/sizes.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
 
 #define AT(member) offsetof(asp_description, member)

@@ -5,9 +5,6 @@
 #include "description/words.h"
 
 #include <math.h>
-#include <stdio.h>
-
-/* ---- spread ---- */
 
 asp_code aspi_spread_read(aspi_words *r, const aspi_keyword *k) {
   char list[ASPI_LIST_MOST] = "";
@@ -31,8 +28,6 @@ void aspi_spread_write(aspi_line *l, const asp_description *d, const aspi_keywor
   (void)k;
   aspi_line_word(l, asp_spread_name(aspi_description_spread(d)));
 }
-
-/* ---- laws of rebound and erosion ---- */
 
 /* A law with its values, in the caller's units. */
 typedef struct law {

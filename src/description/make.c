@@ -14,8 +14,6 @@ enum { PROFILE_BINS = 16, MAP_BINS = 6 };
 /* A map whose lambda_2/lambda_1 is larger has a lay, whose direction must be given. */
 #define STRETCH_MOST 1.5
 
-/* ---- heights of a file ---- */
-
 asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_error *doubt,
                            asp_error *error) {
   *heights = NULL;
@@ -40,8 +38,6 @@ asp_code asp_description_set_heights(asp_description *d, const asp_heights *heig
   d->choice.heights = heights;
   return ASP_OK;
 }
-
-/* ---- surface ---- */
 
 static asp_surface *make_from_map(const asp_description *d, double d_least, double *lambda,
                                   asp_error *error) {
@@ -83,8 +79,6 @@ static asp_surface *make_surface(const asp_description *d, const aspi_sizes *siz
               wrong.text);
   return made;
 }
-
-/* ---- wall ---- */
 
 aspi_wall_choice aspi_description_choice(const asp_description *d) {
   aspi_wall_choice choice = d->choice;

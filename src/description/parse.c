@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "description/words.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 /* True if the keyword may be the next word; `first`: that is the first one behind its keyword. */

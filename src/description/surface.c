@@ -8,7 +8,6 @@
 #include "surface/instrument.h"
 
 #include <math.h>
-#include <stdio.h>
 
 static asp_code read_angle(aspi_words *r, const aspi_keyword *k, const char *first) {
   double *angle = r->d->lay_numbers;

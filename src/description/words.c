@@ -9,8 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* ---- reading ---- */
-
 bool aspi_words_next_is(const aspi_words *r, const char *word) {
   return r->next < r->count && strcmp(r->words[r->next], word) == 0;
 }
@@ -193,8 +191,6 @@ asp_code aspi_words_number(aspi_words *r, const aspi_keyword *k, double *value) 
   d->fitted[d->n_fitted++] = k->name;
   return ASP_OK;
 }
-
-/* ---- writing ---- */
 
 const char *aspi_quote_end(const char *begin) {
   const char *at = begin + 1;

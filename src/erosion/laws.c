@@ -16,12 +16,8 @@ const aspi_erosion_law *aspi_erosion_at(int index) {
   return laws[index];
 }
 
-static const char *name_at(int index) {
-  return laws[index]->name;
-}
-
 const aspi_erosion_law *aspi_erosion_find(const char *name, asp_error *error) {
-  int index = aspi_find_name("erosion law", name, aspi_erosion_count(), name_at, error);
+  int index = aspi_find_name("erosion law", name, aspi_erosion_count(), laws, error);
   return index < 0 ? NULL : laws[index];
 }
 

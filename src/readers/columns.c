@@ -16,7 +16,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* A line of another kind ends the rows only after at least this many. */
 enum { ROWS_LEAST = 3 };
@@ -51,6 +50,8 @@ typedef struct reader {
   int due;                          /* fields of a row */
   size_t stated;                    /* rows by the header, 0: it does not say */
   size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
+  size_t traces;                    /* of a profile: blocks whose positions begin anew */
+  double first, last; /* position of the current one's first row, and of the last row */
   aspi_missing missing;
 } reader;
 
@@ -246,12 +247,20 @@ static asp_code check_count(const reader *r, asp_error *error) {
   return ASP_OK;
 }
 
+/* True if the positions of a profile begin anew: the row turns back, and is nearer to the first of
+ * the trace than to the last. */
+static bool begins_anew(const reader *r) {
+  double x = r->value[X], back = (x - r->last) * (r->last - r->first);
+  return r->column[X] >= 0 && r->column[Z] >= 0 && r->column[Y] < 0 && r->traces > 0 && back < 0 &&
+         fabs(x - r->first) < fabs(x - r->last);
+}
+
 /* Reads the next row. A line of another kind ends the rows, unless more rows follow and the header
- * does not state that all were read. */
+ * does not state that all were read, or another trace. */
 static asp_code next_row(reader *r, bool *found, asp_error *error) {
   aspi_table *t = r->table;
   char first_shown[48], shown[48];
-  size_t other = 0;
+  size_t other = 0, left = 0, left_line = 0;
   double value;
   asp_code code;
   bool is_first = t->has_row; /* which is counted */
@@ -259,8 +268,8 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
     bool full = r->stated > 0 && t->rows >= r->stated;
     bool good = fits(r),
          first = (other || !good) && aspi_table_field(t, 0, &value) == ASP_WORD_NUMBER;
-    if (good && !other) {
-      t->rows += !is_first;
+    if (good && (!other || begins_anew(r))) {
+      t->rows += !is_first && r->traces < 2;
       return check_count(r, error);
     }
     bool digits = show(t, other ? shown : first_shown, sizeof shown);
@@ -270,9 +279,11 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
           "'%s' is not a number; a missing height is written nan, bad, ---, or left empty",
           first_shown);
     other = other ? other : t->text.line;
-    r->left_line = r->left == 0 ? t->text.line : r->left_line;
-    r->left += digits;
+    left_line = left == 0 ? t->text.line : left_line;
+    left += digits;
   }
+  r->left = left;
+  r->left_line = left_line;
   r->end_line = other;
   return code;
 }
@@ -376,7 +387,7 @@ static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
 
 /* Reads rows of positions and heights. A profile without positions has equal steps. */
 static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_error *error) {
-  const int *at = r->column;
+  const int *at = r->column, row = raw->is_map ? 1 : r->options->row;
   asp_code code = ASP_OK;
   if (at[X] >= 0 && r->options->step[0] > 0)
     return aspi_table_fail(
@@ -389,10 +400,23 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
         position[k] = r->value[k];
         aspi_points_precision(points, r->table->fields[at[k]]);
       }
+    if (r->traces == 0 || begins_anew(r)) {
+      r->traces++;
+      r->first = position[0];
+    }
+    r->last = position[0];
+    if (r->traces != (size_t)row)
+      continue;
     double z = height_at(r, at[Z], raw);
     code = aspi_points_add(points, (aspi_xyz){position[0], position[1], z, r->table->text.line},
                            error);
   }
+  if (!code && (size_t)row > r->traces)
+    return aspi_file_fail(r->table->text.path, 0, error,
+                          "row %d is asked for; the text has %zu trace%s", row, r->traces,
+                          r->traces == 1 ? "" : "s");
+  if (r->traces > 1)
+    aspi_append(raw->note, sizeof raw->note, "of its %zu traces number %d is read", r->traces, row);
   if (!code && r->due == 1)
     drop_count(points, r, raw);
   size_t flags = 0;

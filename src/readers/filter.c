@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 #include "readers/read.h"
-#include "surface/rolling.h"
+#include "surface/heights.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -11,8 +11,6 @@
 #include <string.h>
 #include <strings.h>
 
-/* ---- numbers in binary ---- */
-
 uint64_t aspi_bytes_whole(const unsigned char *bytes, int size) {
   uint64_t value = 0;
   for (int k = size - 1; k >= 0; k--)
@@ -67,8 +65,6 @@ asp_code aspi_cut_short(const aspi_text *text, const char *what, asp_error *erro
   return aspi_file_fail(text->path, 0, error, "the file ends within its %s", what);
 }
 
-/* ---- header ---- */
-
 /* The numbers of a header by their keys in SDF, and their ranges. */
 static const struct {
   const char *key;
@@ -112,8 +108,6 @@ static asp_code check(const aspi_text *text, const aspi_height_grid *h, asp_erro
   return aspi_file_fail(text->path, text->line, error, "DataType is %d; it must be 0 to %d",
                         h->type, TYPES - 1);
 }
-
-/* ---- heights ---- */
 
 /* A height, before z_scale; NAN if it is marked as bad. */
 static asp_code read_height(aspi_text *text, const aspi_height_grid *h, size_t index,

@@ -52,9 +52,6 @@ static asp_code read_raw(aspi_text *text, const aspi_profile_options *o, aspi_ra
         aspi_fail(error, ASP_EARG,
                   "%.200s: %s is given; SDF, SUR and X3P state their units, spacing and bad points",
                   text->path, stated);
-  if (!code && format == ASP_FORMAT_TEXT && o->row != 1)
-    code =
-        aspi_fail(error, ASP_EARG, "%.200s: row is given; text in columns has no rows", text->path);
   if (code)
     return code;
   return format == ASP_FORMAT_TEXT  ? aspi_read_columns(text, o, raw, error)

@@ -17,7 +17,7 @@ typedef struct aspi_profile_options {
   double spikes;         /* points this many robust sd off their neighbors are bad, and refused or
                             filled as those are; 0: none are */
   bool fill; /* bad points and gaps are filled by straight lines; false: they are refused */
-  int row;   /* of an SDF map, from 1 */
+  int row;   /* of an SDF map, or trace of a text file, from 1 */
   const char *column; /* NULL, or: of an SDF map, that column instead; of a text file, the heights,
                          by number from 1 or by name */
   const char *x_column; /* of a text file, the positions alike; NULL: by the header */

@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- header in ASCII ---- */
-
 /* One line of the header; *ends at the star. */
 static asp_code read_key(aspi_text *text, aspi_height_grid *h, bool *ends, asp_error *error) {
   char *rest = text->text, *key = aspi_text_field(&rest, '='),
@@ -48,8 +46,6 @@ static asp_code read_text_header(aspi_text *text, aspi_height_grid *h, asp_error
   text->rest = NULL; /* the star was read */
   return ASP_OK;
 }
-
-/* ---- binary ---- */
 
 static asp_code read_binary_header(aspi_text *text, aspi_height_grid *h, asp_error *error) {
   unsigned char head[96];

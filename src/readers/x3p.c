@@ -10,7 +10,6 @@
 
 #include <expat.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <zip.h>

@@ -26,8 +26,6 @@
 /* Percent by which the oxides may miss 100. */
 #define SHARES_OFF 5.0
 
-/* ---- forms ---- */
-
 enum { A, B, C, N_VFT };
 static const aspi_keyword vft_parameters[N_VFT] = {
     [A] = {"a", "", 0, -1e3, 1e3, "log10 of the viscosity in Pa s where the temperature is high",
@@ -110,8 +108,6 @@ const aspi_curve_form aspi_curve_forms[] = {
     {.name = NULL},
 };
 
-/* ---- tables ---- */
-
 static asp_code add_point(aspi_curve *c, const aspi_table *file, const int at[2],
                           asp_error *error) {
   const size_t n = c->n_points;
@@ -145,8 +141,6 @@ asp_code aspi_curve_read(aspi_curve *c, const char *column, asp_error *error) {
   aspi_table_close(file);
   return code;
 }
-
-/* ---- impacts ---- */
 
 static asp_code check_curve(const aspi_curve *c, const char *of, double kelvin, asp_error *error) {
   if (!c->form)

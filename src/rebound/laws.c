@@ -19,12 +19,8 @@ const asp_rebound_law *asp_rebound_at(int index) {
   return index >= 0 && index < asp_rebound_count() ? laws[index] : NULL;
 }
 
-static const char *name_at(int index) {
-  return laws[index]->name;
-}
-
 const asp_rebound_law *asp_rebound_find(const char *name, asp_error *error) {
-  int index = aspi_find_name("rebound law", name, asp_rebound_count(), name_at, error);
+  int index = aspi_find_name("rebound law", name, asp_rebound_count(), laws, error);
   return index < 0 ? NULL : laws[index];
 }
 

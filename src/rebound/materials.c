@@ -114,8 +114,6 @@ double asp_material_get(const asp_material *material, const char *name) {
   return number ? *number : NAN;
 }
 
-/* ---- materials of a file ---- */
-
 struct aspi_materials {
   int count;
   asp_material **list; /* as in the file */

@@ -18,12 +18,8 @@ const asp_spread_model *asp_spread_at(int index) {
   return index >= 0 && index < asp_spread_count() ? models[index] : NULL;
 }
 
-static const char *name_at(int index) {
-  return models[index]->name;
-}
-
 const asp_spread_model *asp_spread_find(const char *name, asp_error *error) {
-  int index = aspi_find_name("spread model", name, asp_spread_count(), name_at, error);
+  int index = aspi_find_name("spread model", name, asp_spread_count(), models, error);
   return index < 0 ? NULL : models[index];
 }
 

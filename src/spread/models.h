@@ -112,6 +112,13 @@ double aspi_cut_normal_density(double sigma, double lo, double hi, double delta)
 double aspi_cut_normal_distribution(double sigma, double lo, double hi, double delta);
 double aspi_cut_normal_quantile(double sigma, double lo, double hi, double u);
 
+/* The Weibull distribution for sigma > 0 and alpha1, both in rad; see weibull.c: delta = b + lambda
+ * y, where y >= 0 has the distribution 1 - exp(-y^k). */
+typedef struct aspi_weibull {
+  double b, k, lambda;
+} aspi_weibull;
+aspi_weibull aspi_weibull_at(double sigma, double alpha1);
+
 /* The law that `truncated` and `rejection` share. */
 double aspi_truncated_density(const aspi_spread_input *view, double delta);
 double aspi_truncated_distribution(const aspi_spread_input *view, double delta);

@@ -12,7 +12,6 @@
  * Eq. 10 of the paper is misprinted: inverting eq. 8 gives delta = b + lambda (-ln(1 - u))^(1/k).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spread/weibull.h"
 #include "spread/models.h"
 
 #include <math.h>

@@ -178,8 +178,6 @@ aspi_extent aspi_heights_extent(const asp_heights *h) {
   return all;
 }
 
-/* ---- Fourier transforms ---- */
-
 void aspi_smooth(double *data, size_t n, double spacing, double width) {
   gsl_fft_complex_radix2_forward(data, 1, n);
   for (size_t i = 0; i < n; i++) {

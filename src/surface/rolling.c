@@ -15,7 +15,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* The bend of two chords that is sharp: difference of slopes. None of the roughest generated
  * profiles has one. */

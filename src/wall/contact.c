@@ -39,8 +39,13 @@ static asp_code impact_on(const asp_wall *wall, bool rough, const asp_particle *
     pass((vec){NAN, NAN, NAN}, (vec){NAN, NAN, NAN}, impact);
     return ASP_OK;
   }
+  const bool is_eccentric = wall->lever > 0 && !particle->body;
+  if (is_eccentric && !(particle->density > 0)) {
+    pass(load(v1), load(particle->omega), impact);
+    return ASP_EARG;
+  }
   aspi_stream stream = aspi_stream_begin(key);
-  if (wall->lever > 0 && !particle->body)
+  if (is_eccentric)
     aspi_impact_eccentric(wall, rough, particle, load(v1), unit(load(n)), &stream, ratios, impact);
   else
     aspi_impact_at(wall, rough, particle, load(v1), load(n), &stream, ratios, impact);
@@ -76,9 +81,13 @@ asp_code asp_wall_impact_mean(const asp_wall *wall, const asp_particle *particle
                       : impact_on(wall, false, particle, v1, n, key, NULL, impact);
 }
 
-asp_code aspi_fail_law(const asp_wall *wall, asp_code code, double temperature, asp_error *error) {
+asp_code aspi_fail_impact(const asp_wall *wall, asp_code code, const asp_particle *particle,
+                          asp_error *error) {
   if (code == ASP_ERANGE)
-    return asp_wall_sticking(wall, temperature, NULL, error);
+    return asp_wall_sticking(wall, particle->temperature, NULL, error);
+  if (wall->lever > 0 && !particle->body && !(particle->density > 0))
+    return aspi_fail(error, code, "density is %g; it must be > 0 with 'grain lever'",
+                     particle->density);
   return aspi_fail(error, code,
                    "rebound law '%s' needs a pair of materials, and neither the particle nor the "
                    "wall has one",
@@ -92,7 +101,7 @@ asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *pa
     asp_code code =
         asp_wall_impact(wall, &particles[i], v1 + 3 * i, normals + 3 * i, &keys[i], &impacts[i]);
     if (code)
-      return aspi_fail_law(wall, code, particles[i].temperature, error);
+      return aspi_fail_impact(wall, code, &particles[i], error);
   }
   return ASP_OK;
 }

@@ -48,6 +48,7 @@ asp_code aspi_impact_of_grain(const asp_wall *wall, bool rough, const asp_partic
                               const aspi_ratios *ratios, asp_impact *impact);
 
 /* The message of the code of an impact. */
-asp_code aspi_fail_law(const asp_wall *wall, asp_code code, double temperature, asp_error *error);
+asp_code aspi_fail_impact(const asp_wall *wall, asp_code code, const asp_particle *particle,
+                          asp_error *error);
 
 #endif

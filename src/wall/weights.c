@@ -63,7 +63,7 @@ asp_code asp_wall_weights(const asp_wall *wall, size_t n, const asp_particle *pa
     asp_code code = aspi_impact_of_grain(wall, true, &particles[i], v1 + 3 * i, normals + 3 * i,
                                          &keys[i], &ratios, &impacts[i]);
     if (code)
-      return aspi_fail_law(wall, code, particles[i].temperature, error);
+      return aspi_fail_impact(wall, code, &particles[i], error);
   }
   for (size_t i = 0; i < n * n_others; i++)
     weights[i] = exp(weights[i]);

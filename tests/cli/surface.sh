@@ -86,7 +86,7 @@ refuses 2 noise.csv 'spacings of the points' --lambda_s -- surface surface profi
 refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
 
 refuses 2 map.sdf 'unit is given' SDF -- surface surface profile map.sdf --unit um
-refuses 2 'row is given' -- surface surface profile waves.csv --row 2
+refuses 2 'row 2 is asked for; the text has 1 trace' -- surface surface profile waves.csv --row 2
 refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
 "$asperity" surface surface map map.sdf --dp 12um 2> err > /dev/null
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"

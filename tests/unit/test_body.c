@@ -315,6 +315,22 @@ static void eccentric_grains_of_all_walls(void **state) {
   asp_wall_free(wall);
 }
 
+/* The mass of an eccentric grain turns it: a grain without one is refused. */
+static void eccentric_grains_have_a_density(void **state) {
+  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
+  const asp_particle particle = {.d_p = D, .omega = {1, 2, 3}};
+  const double v1[3] = {1, 0, -1};
+  asp_impact is;
+  asp_error error;
+  assert_int_equal(
+      asp_wall_impacts(wall, 1, &particle, v1, up, &(asp_key){1, 1, 1, 1, 0}, &is, &error),
+      ASP_EARG);
+  assert_string_equal(error.text, "density is 0; it must be > 0 with 'grain lever'");
+  assert_memory_equal(is.v2, v1, sizeof v1);
+  assert_memory_equal(is.omega, particle.omega, sizeof is.omega);
+  asp_wall_free(wall);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(dumbbells),
@@ -325,6 +341,7 @@ int main(void) {
       cmocka_unit_test(sticks_as_a_whole),
       cmocka_unit_test(eccentric_grains),
       cmocka_unit_test(eccentric_grains_of_all_walls),
+      cmocka_unit_test(eccentric_grains_have_a_density),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

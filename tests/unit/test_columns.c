@@ -1,8 +1,10 @@
-/* The table of the ledger's columns on the page of the fix, row by row.
+/* Tables on the pages of the fix: the ledger's columns, row by row, and the ranges of keywords.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/ledger_columns.h"
+#include "description/description.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,6 +42,37 @@ static void page_has_them(void **state) {
   fclose(page);
 }
 
+/* True if a range stands on the page, not far behind the name. */
+static bool has_range(const char *page, const char *name, const char *range) {
+  for (const char *at = page; (at = strstr(at, name)) != NULL; at++) {
+    const char *found = strstr(at, range);
+    if (found && found - at < 400)
+      return true;
+  }
+  return false;
+}
+
+static void pages_have_the_ranges(void **state) {
+  (void)state;
+  static char page[1 << 17];
+  for (int of_lammps = 0; of_lammps < 2; of_lammps++) {
+    char path[4096], range[40];
+    snprintf(path, sizeof path - 60, "%s", getenv("ASPERITY_TEST_PAGE"));
+    if (of_lammps) /* beside the folder of the first page */
+      snprintf(strstr(path, "/dem/fix.md"), 60, "/lammps/fix_wall_rebound.rst");
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    page[fread(page, 1, sizeof page - 1, file)] = '\0';
+    fclose(file);
+    for (const aspi_keyword *k = aspi_keywords; k->name; k++) {
+      snprintf(range, sizeof range, k->most < 1e5 || k->whole ? "to %.10g" : "to 1e%.0f",
+               k->most < 1e5 || k->whole ? k->most : log10(k->most));
+      if (k->number && isfinite(k->most) && !has_range(page, k->name, range))
+        fail_msg("%s: %s %s", path, k->name, range);
+    }
+  }
+}
+
 /* The places that scripts, dumps and measurements of years rely on. */
 static void places_stay(void **state) {
   (void)state;
@@ -51,6 +84,7 @@ static void places_stay(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(page_has_them),
+                                     cmocka_unit_test(pages_have_the_ranges),
                                      cmocka_unit_test(places_stay)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

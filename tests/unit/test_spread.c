@@ -6,7 +6,6 @@
 #include "surface/heights.h"
 
 #include "spread/models.h"
-#include "spread/weibull.h"
 
 #include <float.h>
 #include <gsl/gsl_cdf.h>
