@@ -106,30 +106,35 @@ static bool add_kinks(class *c, const line *l) {
   return ok;
 }
 
-static size_t steepest(const line *l, size_t trough, size_t crest) {
-  size_t at = trough;
-  for (size_t i = trough; i < crest; i++)
+/* Points of a line: the crest before a trough, the trough, and the crest behind it. */
+typedef struct valley {
+  size_t from, trough, crest;
+} valley;
+
+static size_t steepest(const line *l, const valley *v) {
+  size_t at = v->trough;
+  for (size_t i = v->trough; i < v->crest; i++)
     at = l->p[i] > l->p[at] ? i : at;
   return at;
 }
 
 /* A sphere that lies somewhere lies in a valley in proportion to its length: one start per length.
  */
-static bool add_start(class *c, const line *l, size_t trough, size_t crest) {
+static bool add_start(class *c, const line *l, const valley *v) {
   bool ok = true;
-  for (size_t i = trough; i < crest && ok; i += l->every)
-    ok = add(&c->start, l->p[steepest(l, trough, crest)]);
+  for (size_t i = v->from; i < v->crest && ok; i += l->every)
+    ok = add(&c->start, l->p[steepest(l, v)]);
   return ok;
 }
 
 /* The height of a crest; and a face, if its trough is no kink. */
-static bool add_crest(class *c, const line *l, size_t trough, size_t crest) {
+static bool add_crest(class *c, const line *l, const valley *v) {
   bool kink = false;
-  for (size_t i = trough > 2 ? trough - 2 : 0; i < trough + 2; i++)
+  for (size_t i = v->trough > 2 ? v->trough - 2 : 0; i < v->trough + 2; i++)
     kink = kink || is_kink(l, i);
-  return add(&c->height, l->z[crest] - l->z[trough]) &&
+  return add(&c->height, l->z[v->crest] - l->z[v->trough]) &&
          (kink ||
-          add_face(c, l, trough, steepest(l, trough, crest), (double)(crest - trough) * l->step));
+          add_face(c, l, v->trough, steepest(l, v), (double)(v->crest - v->trough) * l->step));
 }
 
 static double rms(const double *z, size_t n) {
@@ -141,25 +146,26 @@ static double rms(const double *z, size_t n) {
   return sqrt(square);
 }
 
-/* Hands over troughs, each with the crest behind it. */
+/* Hands over the valleys but the first, which may be cut off. */
 static bool find_valleys(class *c, const line *l,
-                         bool (*take)(class *c, const line *l, size_t trough, size_t crest)) {
+                         bool (*take)(class *c, const line *l, const valley *v)) {
   double low = LOW * rms(l->z, l->n);
-  size_t trough = 0, crest = 0;
+  valley v = {0, 0, 0};
   bool rises = false, begun = false, ok = true;
   for (size_t i = 0; i < l->n && ok; i++) {
-    if (!rises && l->z[i] < l->z[trough])
-      trough = i;
-    if (rises && l->z[i] > l->z[crest])
-      crest = i;
-    if (rises && l->z[i] < l->z[crest] - low) {
-      ok = !begun || take(c, l, trough, crest); /* not the first, which may be cut off */
+    if (!rises && l->z[i] < l->z[v.trough])
+      v.trough = i;
+    if (rises && l->z[i] > l->z[v.crest])
+      v.crest = i;
+    if (rises && l->z[i] < l->z[v.crest] - low) {
+      ok = !begun || take(c, l, &v);
       begun = true;
       rises = false;
-      trough = i;
-    } else if (!rises && l->z[i] > l->z[trough] + low) {
+      v.from = v.crest;
+      v.trough = i;
+    } else if (!rises && l->z[i] > l->z[v.trough] + low) {
       rises = true;
-      crest = i;
+      v.crest = i;
     }
   }
   return ok;
