@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number.h"
 
+#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -98,52 +99,76 @@ bool aspi_number_read(const char *c, char other_point, double *value) {
  * its own rounding error are exact. */
 static unsigned long long scale(double size, int shift) {
   double p = shift < 0 ? size / power[-shift] : size * power[shift];
+  unsigned long long number = (unsigned long long)(long long)p;
+  double over = p - (double)(long long)number - 0.5;
+  if (over > 0 || over < 0)
+    return number + (over > 0);
   double error = shift < 0 ? fma(-p, power[-shift], size) : fma(size, power[shift], -p);
-  double whole = floor(p), over = p - whole - 0.5;
-  unsigned long long number = (unsigned long long)whole;
-  bool up = over > 0 || (!(over < 0) && (error > 0 || (!(error < 0) && number % 2)));
-  return number + up;
+  return number + (error > 0 || (!(error < 0) && number % 2));
 }
 
-/* The digits of a finite number that is not 0, and the exponent of the first one. False if they are
- * not found in this way. */
-static bool find_digits(double size, int digits, char text[DIGITS_MOST], int *exponent) {
-  int binary;
-  frexp(size, &binary);
-  int ten = (int)floor((binary - 1) * 0.30102999566398120); /* log10(2); perhaps one too low */
+/* A positive number as a whole one of so many digits, and the exponent of the first. False if it
+ * is not found in this way. */
+static bool round_to(double size, int digits, unsigned long long *number, int *exponent) {
+  unsigned long long bits;
+  memcpy(&bits, &size, sizeof bits);
+  int binary = (int)(bits >> 52) - DBL_MAX_EXP + 1;
+  int ten = binary * 315653 / 1048576 - (binary < 0); /* log10(2); perhaps one too low */
   if (digits > DIGITS_MOST || abs(digits - 1 - ten) >= POWERS - 1)
     return false;
-  unsigned long long number = scale(size, digits - 1 - ten);
-  if (number >= (unsigned long long)power[digits])
-    number = scale(size, digits - 1 - ++ten);
-  for (int i = digits - 1; i >= 0; i--, number /= 10)
-    text[i] = (char)('0' + number % 10);
+  *number = scale(size, digits - 1 - ten);
+  if ((double)*number >= power[digits])
+    *number = scale(size, digits - 1 - ++ten);
   *exponent = ten;
   return true;
 }
 
+static void write_digits(unsigned long long number, int digits, char *to) {
+  static const char pairs[] = "00010203040506070809101112131415161718192021222324"
+                              "25262728293031323334353637383940414243444546474849"
+                              "50515253545556575859606162636465666768697071727374"
+                              "75767778798081828384858687888990919293949596979899";
+  char *at = to + digits;
+  while (at > to + 1) {
+    unsigned long long above = number / 100;
+    memcpy(at -= 2, pairs + 2 * (number - 100 * above), 2);
+    number = above;
+  }
+  if (at > to)
+    *to = (char)('0' + number);
+}
+
 char *aspi_number_format(double value, int digits, char to[ASPI_NUMBER_MOST]) {
-  char text[DIGITS_MOST], *at = to;
-  int exponent, last = digits;
-  if (!isfinite(value) || !(fabs(value) > 0) ||
-      !find_digits(fabs(value), digits, text, &exponent)) {
+  unsigned long long number = 0;
+  int exponent = 0;
+  if (value >= 0 && value <= 0)
+    digits = 1;
+  else if (!isfinite(value) || !round_to(fabs(value), digits, &number, &exponent)) {
     locales l = use_c_locale();
-    at += snprintf(to, ASPI_NUMBER_MOST, "%.*g", digits, value);
+    int length = snprintf(to, ASPI_NUMBER_MOST, "%.*g", digits, value);
     restore_locale(l);
-    return at;
+    return to + length;
   }
   bool scientific = exponent < -4 || exponent >= digits;
-  int point = scientific ? 0 : exponent; /* the point is behind this digit */
-  while (last > 1 && last > point + 1 && text[last - 1] == '0')
-    last--;
-  if (value < 0)
-    *at++ = '-';
-  for (int i = point < 0 ? point : 0; i < last; i++) {
-    *at++ = i < 0 ? '0' : text[i];
-    if (i == point && i + 1 < last)
-      *at++ = '.';
-  }
-  if (scientific)
-    at += snprintf(at, 8, "e%+03d", exponent);
-  return at;
+  int whole = scientific ? 1 : exponent + 1; /* digits before the point */
+  if (signbit(value))
+    *to++ = '-';
+  char *first = to + (whole > 0 ? 1 : 2 - whole), *end = first + digits;
+  memcpy(to, "0.000", 5); /* of a number below 1 */
+  write_digits(number, digits, first);
+  while (end > first + 1 && end > first + whole && end[-1] == '0')
+    end--;
+  for (int i = 0; i < whole; i++)
+    to[i] = first[i];
+  if (whole > 0 && end > first + whole)
+    to[whole] = '.';
+  else if (whole > 0)
+    end--;
+  if (!scientific)
+    return end;
+  int size = abs(exponent);
+  end[0] = 'e';
+  end[1] = exponent < 0 ? '-' : '+';
+  write_digits((unsigned)size, 2, end + 2);
+  return end + 4;
 }

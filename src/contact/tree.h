@@ -56,9 +56,10 @@ int aspi_tree_place(const ContactTree *tree, int id);
 
 /* Lower bound of the time for which a sphere of radius `reach`, growing by `widen` per time, stays
  * clear of all triangles except those in the planes of the `skipped` ones listed in `skip`, while
- * its center moves along x + v t; at most `most`. */
+ * its center moves along x + v t; at most `most`. Where it is at most `least`, it may be any such
+ * time. */
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
-                       double widen, double most, const int *skip, int skipped);
+                       double widen, double least, double most, const int *skip, int skipped);
 
 /* Appends the places of all triangles whose boxes meet the box lo to hi and come within `reach` of
  * its middle. False when out of memory. */

@@ -160,7 +160,7 @@ static bool is_in_planes(const ContactTriangle *t, const Planes *planes) {
 }
 
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
-                       double widen, double most, const int *skip, int skipped) {
+                       double widen, double least, double most, const int *skip, int skipped) {
   const Sweep sweep = sweep_of(x, v, reach, widen);
   const Planes planes = planes_of(tree, skip, skipped, reach);
   struct {
@@ -171,9 +171,9 @@ double aspi_tree_clear(const ContactTree *tree, const double x[3], const double 
   double first = most;
   if (tree->count > 0) {
     stack[top].at = 0;
-    stack[top++].time = sweep_meets_node(&sweep, tree->nodes, most);
+    stack[top++].time = sweep_meets_node(&sweep, tree->nodes, first);
   }
-  while (top > 0 && first > 0) {
+  while (top > 0 && first > least) {
     const int at = stack[--top].at;
     if (!(stack[top].time < first))
       continue;

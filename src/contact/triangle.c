@@ -18,8 +18,9 @@ static double nearest_on_edge(const double a[3], const double b[3], const double
   aspi_subtract(b, a, edge);
   aspi_subtract(x, a, arm);
   const double square = aspi_dot(edge, edge);
-  const double share = square > 0 ? aspi_dot(arm, edge) / square : 0;
-  aspi_add_scaled(a, fmin(1, fmax(0, share)), edge, nearest);
+  const double along = aspi_dot(arm, edge); /* fmax and fmin would be calls */
+  const double share = !(square > 0 && along > 0) ? 0 : along < square ? along / square : 1;
+  aspi_add_scaled(a, share, edge, nearest);
   aspi_subtract(x, nearest, arm);
   return aspi_length(arm);
 }
@@ -172,7 +173,8 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
       touch->overlap = -gap;
       break;
     }
-    time = fmax(0, time + gap / approach);
+    time += gap / approach;
+    time = time > 0 ? time : 0;
   }
   touch->time = time;
   aspi_cross(touch->n, face.normal, arm);

@@ -111,7 +111,7 @@ void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
 
 /* The ball around a box. */
 static Course around(const Bounds &box) {
-  Course ball = {{}, {}, 0, 0, 1};
+  Course ball = {{}, {}, 0, 0, 0, 1};
   for (int d = 0; d < 3; d++)
     ball.x[d] = 0.5 * (box.lo[d] + box.hi[d]);
   ball.reach = hypot(hypot(box.hi[0] - ball.x[0], box.hi[1] - ball.x[1]), box.hi[2] - ball.x[2]);

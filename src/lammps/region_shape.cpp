@@ -161,13 +161,15 @@ double RegionShape::setup() {
   return most > asperity::ROUNDING * aspi_length(box[1]) ? most : 0;
 }
 
+bool RegionShape::is_still() const {
+  return std::none_of(parts_.begin(), parts_.end(),
+                      [](const RegionPart &part) { return part.moves(); });
+}
+
 void RegionShape::begin_step() {
   const double dt = lammps_->update->dt;
   speed_ = 0;
-  bool any = false;
-  for (const RegionPart &part : parts_)
-    any = any || part.moves();
-  if (!any)
+  if (is_still())
     return;
   read_variables(lammps_, root_.region);
   for (RegionPart &part : parts_)

@@ -31,6 +31,7 @@ public:
   double setup();
   void begin_step();
 
+  bool is_still() const override;
   double travel(double dt) const override;
   double clear(const asperity::Course &course, const asperity::FaceList &stays) const override;
   bool find(const asperity::Path &path, double radius, double latest,

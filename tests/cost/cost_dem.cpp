@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
 #include "count.h"
+#include "jet.h"
 
 #include <math.h>
 #include <unistd.h>
@@ -25,15 +26,15 @@ const char SMOOTH[] = "rebound walton 0.5 0.3 0 deposit off";
 const char ROUGH[] = "surface sigma 5 rebound walton 0.5 0.3 0 deposit off";
 const char STICKY[] = "rebound bons materials quartz surface_energy 1e9";
 
-/* A mesh at z = 0 under all grains, of squares of this width with two triangles each. */
+/* A mesh at z = 0 from lo to hi, of squares of this width with two triangles each. */
 struct Plate {
   std::unique_ptr<Shape> shape;
   MeshShape *mesh;
   size_t triangles;
 
-  explicit Plate(double width) : mesh(new MeshShape), triangles(0) {
+  explicit Plate(double width, double lo = -GAP, double hi = SIDE * GAP)
+      : mesh(new MeshShape), triangles(0) {
     shape.reset(mesh);
-    const double lo = -GAP, hi = SIDE * GAP;
     std::vector<ContactTriangle> all;
     std::vector<int> ids;
     for (double x = lo; x < hi; x += width)
@@ -58,14 +59,17 @@ struct Motion {
 };
 const Motion AT_REST = {0, 0, 0, GRAVITY, 0};
 
-/* Grains side by side over a wall, as an engine moves them. */
+/* Grains over a wall, as an engine moves them. */
 class Scene {
 public:
+  /* Side by side. */
   Scene(std::unique_ptr<Shape> shape, const char *words, const Motion &motion,
-        MeshShape *mesh = NULL, size_t triangles = 0)
+        MeshShape *mesh = NULL, size_t triangles = 0, double least = R)
       : of_(std::move(shape), words, GRAINS, R, DT, triangles), mesh_(mesh), rate_(motion.rate) {
-    of_.engine.least = of_.engine.most = 2 * R;
+    of_.engine.least = 2 * least;
+    of_.engine.most = 2 * R;
     of_.grains.spins = true;
+    of_.grains.radius[0] = least;
     for (int i = 0; i < GRAINS; i++) {
       of_.grains.put(static_cast<size_t>(i),
                      {GAP * (i % SIDE), GAP * (i / SIDE), R + motion.height},
@@ -75,12 +79,26 @@ public:
     of_.begin();
   }
 
+  /* The jet. */
+  Scene(std::unique_ptr<Shape> shape, const std::vector<JetGrain> &jet, size_t triangles)
+      : of_(std::move(shape), JET_LAW, jet.size(), 1, JET_DT, triangles), mesh_(NULL), rate_(0) {
+    of_.engine.least = 1e-6;
+    of_.engine.most = 1e-4;
+    of_.grains.spins = true;
+    for (size_t i = 0; i < jet.size(); i++) {
+      of_.grains.put(i, jet[i].x, jet[i].v);
+      of_.grains.radius[i] = jet[i].radius;
+      of_.grains.mass[i] = jet[i].mass;
+    }
+    of_.begin();
+  }
+
   /* Counts what the wall does after the first steps. */
   void count(const char *what, int first, int steps) {
     fly(first);
     count_begin();
     fly(steps);
-    count_end(what, static_cast<double>(steps) * GRAINS);
+    count_end(what, static_cast<double>(steps) * static_cast<double>(of_.grains.tag.size()));
   }
 
 private:
@@ -88,14 +106,14 @@ private:
     Grains &g = of_.grains;
     const std::vector<Stepper *> walls = g.steppers();
     for (int k = 0; k < steps; k++) {
-      const double angle = rate_ * DT * static_cast<double>(++g.now);
+      const double angle = rate_ * g.dt * static_cast<double>(++g.now);
       g.kick();
       for (size_t d = 0; d < g.x.size(); d++)
-        g.x[d] += g.v[d] * DT;
+        g.x[d] += g.v[d] * g.dt;
       const Spheres all = g.spheres();
       count_on();
       if (mesh_ && rate_ > 0) {
-        mesh_->motion().advance(turn_about(NONE, UP, angle), twist_about(NONE, UP, rate_), DT);
+        mesh_->motion().advance(turn_about(NONE, UP, angle), twist_about(NONE, UP, rate_), g.dt);
         mesh_->set_images(Box());
       }
       step_walls(walls, all);
@@ -119,10 +137,26 @@ void count_at_plane(const char *what, const char *words, const Motion &motion, i
   Scene(plane(), words, motion).count(what, first, steps);
 }
 
-void count_at_mesh(const char *what, double width, const Motion &motion, int first, int steps) {
+/* The smallest of the grains is a hundred times smaller than the others. */
+void count_beside_dust(const char *what, const Motion &motion) {
+  Scene(plane(), SMOOTH, motion, NULL, 0, 0.01 * R).count(what, 20, 400);
+}
+
+void count_at_mesh(const char *what, double width, const Motion &motion, int first, int steps,
+                   const char *words = SMOOTH) {
   Plate plate(width);
-  Scene(std::move(plate.shape), SMOOTH, motion, plate.mesh, plate.triangles)
+  Scene(std::move(plate.shape), words, motion, plate.mesh, plate.triangles)
       .count(what, first, steps);
+}
+
+/* From the first step on, which is a grain's whole life: flight, impact, flight, or rest. */
+void count_jet_at(const char *what, std::unique_ptr<Shape> shape, size_t triangles = 0) {
+  Scene(std::move(shape), jet_grains(), triangles).count(what, 0, JET_STEPS);
+}
+
+void count_jet_at_mesh(const char *what, double width) {
+  Plate plate(width, JET_LO, JET_HI);
+  count_jet_at(what, std::move(plate.shape), plate.triangles);
 }
 
 /* A rod of two spheres that turns in front of a plane, by this angle a step, without touching it.
@@ -192,6 +226,7 @@ int main(int argc, char **argv) {
   count_at_plane("grain at rest on a rough plane", ROUGH, AT_REST, 100, 40);
   count_at_mesh("grain at rest on a fine mesh", FINE, AT_REST, 20, 40);
   count_at_plane("grain stuck to a plane", STICKY, {0, 0, -0.1, GRAVITY, 0}, 20, 40);
+  count_at_mesh("grain stuck to a mesh", COARSE, {0, 0, -0.1, GRAVITY, 0}, 20, 40, STICKY);
   count_at_plane("grain far from a plane", SMOOTH, {50 * R, 1, -1, 0, 0}, 20, 200);
   count_at_plane("grain that arrives at a plane", SMOOTH, {1.5 * DT, 1, -1, 0, 0}, 1, 1);
   count_at_plane("grain that arrives at a rough plane", ROUGH, {1.5 * DT, 1, -1, 0, 0}, 1, 1);
@@ -201,6 +236,10 @@ int main(int argc, char **argv) {
   count_at_mesh("grain near a fine mesh", FINE, {0.5 * R, 1, 0, 0, 0}, 20, 200);
   count_at_mesh("grain over a mesh that turns", COARSE, {0.5 * R, 1, 0, 0, 10}, 20, 40);
   count_at_mesh("grain at rest on a mesh that turns", COARSE, {0, 0, 0, GRAVITY, 10}, 20, 40);
+  count_jet_at("grain of a jet at a plane", plane());
+  count_jet_at_mesh("grain of a jet at a mesh", 3e-3);
+  count_jet_at_mesh("grain of a jet at a fine mesh", 0.268e-3);
+  count_beside_dust("grain that falls beside one of dust", {50 * R, 1, 0, GRAVITY, 0});
   count_body("body that turns by 0.1", 0.1);
   count_body("body that turns by 3", 3);
   count_rows();

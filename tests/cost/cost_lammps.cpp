@@ -17,6 +17,7 @@
 #include "fix_wall_rebound.h"
 
 #include "count.h"
+#include "jet.h"
 
 using namespace LAMMPS_NS;
 
@@ -63,29 +64,54 @@ const char *const BEGIN[] = {"clear",
                              "timestep 1e-5",
                              "thermo_style custom step"};
 
+std::string number(double value) {
+  char text[32];
+  snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
 /* What the wall costs a grain in a step after the first ones. */
 void count_scene(LAMMPS &lammps, const char *what, int grains,
-                 const std::vector<std::string> &lines) {
-  const int steps = 40;
+                 const std::vector<std::string> &lines, int first = 20, int steps = 40) {
   for (const char *line : BEGIN)
     lammps.input->one(line);
   (*lammps.modify->fix_map)["wall/rebound"] = create;
   for (const std::string &line : lines)
     lammps.input->one(line);
-  lammps.input->one("run 20");
+  lammps.input->one(("run " + std::to_string(first)).c_str());
   count_begin();
   lammps.input->one(("run " + std::to_string(steps)).c_str());
   count_end(what, static_cast<double>(steps) * grains);
 }
 
+const char SMOOTH[] = "rebound walton 0.5 0.3 0 deposit off";
+const char STICKY[] = "rebound bons materials quartz surface_energy 1e9";
+
 void count_region(LAMMPS &lammps, const char *what, double height, const char *region,
-                  const char *motion) {
+                  const char *motion, const std::string &law = SMOOTH) {
   count_scene(
       lammps, what, GRAINS,
       {"displace_atoms all move 0.002 0.002 " + std::to_string(0.001 + height) + " units box",
        "fix fall all gravity 9.81 vector 0 0 -1", "variable a equal 10*time",
        "variable d equal 0.01*time", "region r " + std::string(region) + " " + motion,
-       "fix wall all wall/rebound region r rebound walton 0.5 0.3 0 deposit off"});
+       "velocity all set NULL NULL " + std::string(law == STICKY ? "-0.1" : "0"),
+       "fix wall all wall/rebound region r " + law});
+}
+
+/* A grain's whole life. */
+void count_jet(LAMMPS &lammps, const char *what, const char *region) {
+  const std::vector<JetGrain> jet = jet_grains();
+  std::vector<std::string> lines = {"delete_atoms group all", "timestep " + number(JET_DT),
+                                    "region r " + std::string(region),
+                                    "fix wall all wall/rebound region r " + std::string(JET_LAW)};
+  for (const JetGrain &one : jet) {
+    const std::string set = "set atom " + std::to_string(lines.size() / 2 - 1);
+    lines.push_back("create_atoms 1 single " + number(0.002 + one.x[0]) + " " +
+                    number(0.002 + one.x[1]) + " " + number(one.x[2]) + " units box");
+    lines.push_back(set + " diameter " + number(2 * one.radius) + " density 2650 vx " +
+                    number(one.v[0]) + " vz " + number(one.v[2]));
+  }
+  count_scene(lammps, what, static_cast<int>(jet.size()), lines, 0, JET_STEPS);
 }
 
 /* Many small grains that fall far from a plane, two of which are a body. */
@@ -111,10 +137,12 @@ int main(int argc, char **argv) {
   const char room[] = "block -1 1 -1 1 0 0.03 units box", moves[] = "move v_d NULL NULL";
   const char turns[] = "rotate v_a 0.02 0.02 0 0 0 1";
   count_region(lammps, "grain at rest on a region", 0, room, "");
+  count_region(lammps, "grain stuck to a region", 0, room, "", STICKY);
   count_region(lammps, "grain at rest on a region that moves", 0, room, moves);
   count_region(lammps, "grain at rest on a region that turns", 0, room, turns);
   count_region(lammps, "grain far from a region that moves", 0.014, room, moves);
   count_region(lammps, "grain far from a region that turns", 0.014, room, turns);
+  count_jet(lammps, "grain of a jet at a region", room);
   count_beside_body(lammps, "grain far from a plane beside a body");
   MPI_Finalize();
   return 0;

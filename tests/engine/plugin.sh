@@ -55,7 +55,7 @@ END
 fi
 
 # With KOKKOS all styles that have one get the suffix kk, and particles are kept in its arrays.
-grep -qw KOKKOS help.txt || exit 0
+grep -q '^KOKKOS package API' help.txt || exit 0
 kokkos() { # RANKS SCRIPT
   OMP_PROC_BIND=false timeout 120 mpirun -np "$1" "$lmp" -k on t 2 -sf kk -pk kokkos newton off neigh half -in "$2" -log none > "$2.screen" 2>&1
 }

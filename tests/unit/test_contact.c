@@ -307,8 +307,12 @@ static void check_clear(const ContactTree *tree, int round) {
   if (round % 5 == 0)
     path.v[round % 3] = 0;
   const double reach = uniform(0, 0.5), widen = round % 4 ? uniform(0, 0.2) : 0;
-  const double time = aspi_tree_clear(tree, path.x, path.v, reach, widen, path.left, NULL, 0);
+  const double time = aspi_tree_clear(tree, path.x, path.v, reach, widen, 0, path.left, NULL, 0);
+  const double least = uniform(0, path.left);
+  const double rough =
+      aspi_tree_clear(tree, path.x, path.v, reach, widen, least, path.left, NULL, 0);
   assert_true(time >= 0 && time <= path.left);
+  assert_true(time > least ? fabs(rough - time) <= 0 : rough >= time && rough <= least);
   double x[3], n[3], arm[3];
   for (int k = 0; k < 40 && time > 0; k++) {
     const double now = time * k / 40;
@@ -347,18 +351,18 @@ static void test_along(void **unused) {
   const double reach = 0.01, widen = 1e-3;
   for (int side = -1; side <= 1; side += 2) { /* 0.02 over its face */
     aspi_add_scaled(triangle.node[0], side * 0.02, n, x);
-    assert_true(aspi_tree_clear(tree, x, ab, reach, widen, 1, NULL, 0) >= 1);
-    assert_true(aspi_tree_clear(tree, x, ab, 0.0195, widen, 1, NULL, 0) < 1);
+    assert_true(aspi_tree_clear(tree, x, ab, reach, widen, 0, 1, NULL, 0) >= 1);
+    assert_true(aspi_tree_clear(tree, x, ab, 0.0195, widen, 0, 1, NULL, 0) < 1);
   }
   aspi_add_scaled(triangle.node[1], 0.02, outward, x);
-  assert_true(aspi_tree_clear(tree, x, bc, reach, widen, 1, NULL, 0) >= 1);
-  assert_true(aspi_tree_clear(tree, x, bc, 0.0195, widen, 1, NULL, 0) < 1);
+  assert_true(aspi_tree_clear(tree, x, bc, reach, widen, 0, 1, NULL, 0) >= 1);
+  assert_true(aspi_tree_clear(tree, x, bc, 0.0195, widen, 0, 1, NULL, 0) < 1);
   /* Aslant over an edge: as near to its plane and to the plane across the edge, but farther away.
    */
   aspi_add_scaled(x, 0.02, n, x);
   const double still[3] = {0, 0, 0};
-  assert_true(aspi_tree_clear(tree, x, still, 0.028, 1e-4, 1, NULL, 0) >= 1);
-  assert_true(aspi_tree_clear(tree, x, still, 0.0283, 1e-4, 1, NULL, 0) < 1);
+  assert_true(aspi_tree_clear(tree, x, still, 0.028, 1e-4, 0, 1, NULL, 0) >= 1);
+  assert_true(aspi_tree_clear(tree, x, still, 0.0283, 1e-4, 0, 1, NULL, 0) < 1);
   aspi_tree_free(tree);
 }
 

@@ -217,7 +217,7 @@ void absurd_flights_are_refused(void **) {
   MeshShape plate;
   set_plate(plate);
   plate.set_images(BOX);
-  const Course course = {{-2, 5, 0.1}, {1e5, 0, 0}, 0.02, 0, 100};
+  const Course course = {{-2, 5, 0.1}, {1e5, 0, 0}, 0.02, 0, 0, 100};
   assert_true(plate.clear(course, FaceList{0, {0, 0, 0}}) < 1);
   for (double v : {1e9, HUGE_VAL}) {
     const Path path = {{-2, 5, 0.1}, {v, 0, -1}, 1, 1, 0};

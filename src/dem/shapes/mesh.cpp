@@ -85,8 +85,8 @@ double MeshShape::clear(const Course &course, const FaceList &stays) const {
       for (int j = 0; j < 3; j++)
         at.v[j] = frame.turn[0][j] * v[0] + frame.turn[1][j] * v[1] + frame.turn[2][j] * v[2];
     }
-    steps = std::min(steps, aspi_tree_clear(tree_.get(), at.x, at.v, at.reach, at.widen, steps,
-                                            stays.face, stays.count));
+    steps = std::min(steps, aspi_tree_clear(tree_.get(), at.x, at.v, at.reach, at.widen, at.least,
+                                            steps, stays.face, stays.count));
   }
   return steps;
 }

@@ -57,9 +57,9 @@ struct Place {
 };
 
 /* The way of a sphere of radius `reach`, growing by `widen` a step, whose center moves from x by v
- * a step, for `most` steps. */
+ * a step, for `most` steps. It makes no difference which of the first `least` ones is its last. */
 struct Course {
-  double x[3], v[3], reach, widen, most;
+  double x[3], v[3], reach, widen, least, most;
 };
 
 /* Faces of a shape. */

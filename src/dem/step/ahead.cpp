@@ -19,6 +19,9 @@ namespace {
 /* Ahead::due_ of a particle that is stuck, or not of the group: never near. */
 const int NEVER = INT_MAX;
 
+/* A particle that comes to a wall within so many steps is near: they are not worth another look. */
+const double SOON = 2;
+
 /* A particle that is near, not counting faces at which it stays, counts as near for this many
  * steps. */
 const int STAYS_NEAR = 32;
@@ -38,14 +41,15 @@ const double RESTING_WAY = 0.25;
 /* The first predictions are of this many lengths, so that they do not all expire in one step. */
 const int LENGTHS = 8;
 
-/* Distance per step by which a particle may stray from its predicted path, in radii. */
-const double STRAY = 2e-3;
+/* Distance per step by which a particle may stray from its predicted path: as a share of its way,
+ * and what the forces on it do within a radius; at most so many radii. */
+const double STRAY = 2e-3, STRAY_MOST = 2e-3;
 
 /* Walls may move farther in a step than so far by this factor before predictions are made anew. */
 const double FASTER = 1.2;
 
-/* Largest bend of the path by sustained contacts within a step, as a share of that distance. */
-const double BEND = 0.25;
+/* Largest bend of the path by contacts along which it slides within a step, in radii. */
+const double BEND = 5 * OVERLAP;
 
 /* Less than 1/sqrt(3): the length of a vector whose components are no larger is below 1. */
 const double COMPONENT = 0.577;
@@ -56,7 +60,7 @@ Ahead::Ahead(const Setup &setup, const Memories &rows, bool are_bodies)
     : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), travel_(0) {}
 
 double Ahead::bend(double radius) {
-  return BEND * STRAY * radius;
+  return BEND * radius;
 }
 
 void Ahead::watch(int i) {
@@ -66,16 +70,16 @@ void Ahead::watch(int i) {
 void Ahead::clear() {
   now_ = 0;
   std::fill(due_.begin(), due_.end(), 0);
-  stray_.clear();
 }
 
 void Ahead::reorder(const Spheres &s) {
   const size_t n = static_cast<size_t>(s.n);
   if (!setup_.repeats())
     clear();
-  stray_.clear();
   due_.resize(n);
   v_.resize(3 * n);
+  stray_.resize(n);
+  least_.assign(n / BLOCK + 1, 0);
   tag_.resize(n, -1);
   for (size_t i = 0; i < n; i++) {
     const int64_t tag = s.tag_of(static_cast<int>(i));
@@ -87,8 +91,8 @@ void Ahead::reorder(const Spheres &s) {
 }
 
 size_t Ahead::bytes() const {
-  return due_.capacity() * sizeof(int) + (v_.capacity() + stray_.capacity()) * sizeof(float) +
-         tag_.capacity() * sizeof(int64_t);
+  return due_.capacity() * sizeof(int) + tag_.capacity() * sizeof(int64_t) +
+         (v_.capacity() + stray_.capacity() + least_.capacity()) * sizeof(float);
 }
 
 /* True if one of n components of a velocity differs by more than `most` from the predicted one. */
@@ -106,15 +110,19 @@ static bool any_due(const int *due, int n, int now) {
   return over > 0;
 }
 
-/* A block is screened by what its smallest particle may stray. */
-void Ahead::find_strays(const Spheres &s) {
-  for (int first = 0; first < s.n; first += BLOCK)
-    stray_.push_back(static_cast<float>(
-        STRAY * *std::min_element(s.radius + first, s.radius + std::min(first + BLOCK, s.n))));
+/* The speed by which a particle may stray. A wide course comes to a wall long before the particle
+ * does; a narrow one is left as soon as forces act. */
+float Ahead::stray(const Spheres &s, int i) const {
+  const size_t at = 3 * static_cast<size_t>(i);
+  const double most = STRAY_MOST * s.radius[i] / s.dt;
+  if (are_bodies_ || rows_.status(i) == Status::RESTING)
+    return static_cast<float>(most);
+  const double pushed = sqrt(aspi_length(s.f + at) / s.mass[i] * s.radius[i]);
+  return static_cast<float>(std::min(most, STRAY * aspi_length(s.v + at) + pushed));
 }
 
 /* Most particles have a valid prediction that they are too far away; it holds while their velocity
- * stays near the predicted one. */
+ * stays near the predicted one. A block is screened by what its particles may stray at least. */
 void Ahead::find_near(const Spheres &s, int number, std::vector<Candidate> &near) {
   double travel = 0;
   for (const Member &member : setup_.shapes)
@@ -126,22 +134,23 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Candidate> &near
   if (now_ > INT_MAX / 2)
     clear(); /* before the count of steps could overflow */
   now_++;
-  if (stray_.empty())
-    find_strays(s);
-  const float share = static_cast<float>(COMPONENT / s.dt);
+  const float share = static_cast<float>(COMPONENT);
   for (int first = 0; first < s.n; first += BLOCK) {
     const int count = std::min(BLOCK, s.n - first);
-    const float most = share * stray_[static_cast<size_t>(first / BLOCK)];
+    const float *stray = stray_.data() + first;
+    float &least = least_[static_cast<size_t>(first / BLOCK)];
     const double *v = s.v + 3 * static_cast<size_t>(first);
     const float *along = v_.data() + 3 * static_cast<size_t>(first);
     const int *due = due_.data() + first;
-    if (!any_strays(v, along, 3 * count, most) && !any_due(due, count, now_))
+    const bool some_stray = any_strays(v, along, 3 * count, share * least);
+    if (!some_stray && !any_due(due, count, now_))
       continue;
-    for (int i = 0; i < count; i++) {
-      const float own = share * static_cast<float>(STRAY * s.radius[first + i]);
-      if ((due[i] <= now_ || any_strays(v + 3 * i, along + 3 * i, 3, own)) && look(s, first + i))
+    for (int i = 0; i < count; i++)
+      if ((due[i] <= now_ ||
+           (some_stray && any_strays(v + 3 * i, along + 3 * i, 3, share * stray[i]))) &&
+          look(s, first + i))
         near.push_back(Candidate{first + i, number});
-    }
+    least = *std::min_element(stray, stray + count);
   }
 }
 
@@ -184,6 +193,7 @@ bool Ahead::look(const Spheres &s, int i) {
              static_cast<long long>(s.tag_of(i)), v[0], v[1], v[2], FARTHEST));
   for (int d = 0; d < 3; d++)
     along[d] = static_cast<float>(v[d]);
+  stray_[static_cast<size_t>(i)] = stray(s, i);
   *due = out ? NEVER : now_ + steps_clear(s, i);
   if (*due > now_)
     return false;
@@ -197,18 +207,20 @@ bool Ahead::look(const Spheres &s, int i) {
 int Ahead::steps_clear(const Spheres &s, int i) const {
   const double *x = s.x + 3 * static_cast<size_t>(i), *v = s.v + 3 * static_cast<size_t>(i);
   Course course;
+  course.least = SOON;
   course.most = now_ > 1 ? AHEAD_MOST : AHEAD_MOST / LENGTHS * (1 + i % LENGTHS);
   for (int d = 0; d < 3; d++) {
     course.v[d] = v[d] * s.dt;
     course.x[d] = x[d] - course.v[d];
   }
-  course.widen =
-      STRAY * s.radius[i] + bend(s.radius[i]) + FLT_EPSILON * aspi_length(course.v) + travel_;
+  course.widen = s.dt * stray_[static_cast<size_t>(i)] + bend(s.radius[i]) +
+                 FLT_EPSILON * aspi_length(course.v) + travel_;
   course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
   if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
         std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
   for (size_t m = 0; m < setup_.shapes.size(); m++)
     course.most = setup_.shapes[m].shape->clear(course, faces(s, i, m));
-  return static_cast<int>((1 - ROUNDING) * course.most);
+  course.most *= 1 - ROUNDING;
+  return course.most < SOON ? 0 : static_cast<int>(course.most);
 }

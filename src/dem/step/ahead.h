@@ -55,7 +55,7 @@ public:
   size_t bytes() const;
 
 private:
-  void find_strays(const Spheres &spheres);
+  float stray(const Spheres &spheres, int i) const;
   bool look(const Spheres &spheres, int i);
   FaceList faces(const Spheres &spheres, int i, size_t shape) const;
   int steps_clear(const Spheres &spheres, int i) const;
@@ -67,10 +67,10 @@ private:
   /* Earliest step in which each particle may touch a face it is not resting on. If negative: treat
    * it as near until step -due. */
   std::vector<int> due_;
-  std::vector<float> v_;     /* rows of three */
-  std::vector<int64_t> tag_; /* of whom this is */
-  std::vector<float> stray_; /* of each block: how far its particles may stray in a step */
-  double travel_;            /* of a shape in a step, at most */
+  std::vector<float> v_;             /* rows of three */
+  std::vector<float> stray_, least_; /* by which its velocity may differ; and of each block */
+  std::vector<int64_t> tag_;         /* of whom this is */
+  double travel_;                    /* of a shape in a step, at most */
 };
 
 } // namespace asperity

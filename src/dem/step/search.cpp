@@ -78,6 +78,7 @@ static double time_clear(const Walls &walls, const Flight &flight) {
   const Body &body = *flight.mover.body;
   Course course;
   course.widen = 0;
+  course.least = flight.stretch / flight.dt;
   course.most = flight.path.left / flight.dt;
   aspi_copy(flight.path.x, course.x);
   aspi_copy(flight.path.v, course.v);
