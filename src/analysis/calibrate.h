@@ -31,7 +31,7 @@ enum { MOMENT_X, MOMENT_Y, MOMENT_XX, MOMENT_YY, MOMENT_STUCK, MOMENTS };
 typedef struct aspi_bin_moments {
   double rebounds, all; /* impacts */
   double of[MOMENTS];   /* NAN without rebounds, but for the share of deposits */
-  /* Of one rebound's x, y, and their squares about the means. */
+  /* Covariances of one rebound's x, y, and their squares about the means. */
   double covariance[MOMENT_STUCK][MOMENT_STUCK];
 } aspi_bin_moments;
 

@@ -4,6 +4,7 @@
 #include "analysis/compare.h"
 #include "base/error.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,16 +36,6 @@ static asp_code no_memory(size_t count, asp_error *error) {
 
 static const aspi_compare_reach same = {SAME_ANGLE, SAME_SHARE, SAME_SHARE};
 
-static int by_number(const void *left, const void *right) {
-  const double *a = left, *b = right;
-  return (*a > *b) - (*a < *b);
-}
-
-static void no_more(void *to, const void *more) {
-  (void)to;
-  (void)more;
-}
-
 asp_code aspi_compare_grouping(const aspi_scatter *data, const aspi_compare_reach *far,
                                aspi_grouping *grouping, asp_error *error) {
   const aspi_compare_reach *const reach[] = {&same, far};
@@ -63,8 +54,7 @@ asp_code aspi_compare_grouping(const aspi_scatter *data, const aspi_compare_reac
       if (!isnan(at))
         border[grouping->count[d]++] = at;
     }
-    grouping->count[d] =
-        aspi_merge_equal(border, grouping->count[d], sizeof *border, by_number, no_more);
+    gsl_sort(border, 1, grouping->count[d]);
   }
   return ASP_OK;
 }
@@ -121,7 +111,7 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
   return ASP_OK;
 }
 
-/* What the bins take the model's impacts from; taken: of one bin. */
+/* Source of the model's impacts in the bins. taken: those of one bin. */
 typedef struct source {
   aspi_near *near;
   const aspi_compare_reach *far;

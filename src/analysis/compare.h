@@ -25,7 +25,7 @@ typedef struct aspi_compare_bin {
 typedef struct aspi_comparison {
   const char *names[2]; /* of the files: impacts, data; no second one: the impacts alone */
   aspi_scatter impacts;
-  aspi_scatter data; /* of impacts alone, these */
+  aspi_scatter data; /* the impacts themselves if there are no data */
   aspi_compare_bin *bins;
   size_t count;
   aspi_mean_error score;

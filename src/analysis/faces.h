@@ -8,7 +8,8 @@
 #include "asperity.h"
 #include "contact/contact.h"
 
-/* Of a face, in SI: impacts, deposited and eroded mass, depth of erosion, mean speed of impact. */
+/* Fields of a face, in SI: impacts, deposited and eroded mass, depth of erosion, mean speed of
+ * impact. */
 typedef enum aspi_of_face {
   ASPI_FACE_IMPACTS,
   ASPI_FACE_DEPOSITED,

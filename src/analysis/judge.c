@@ -40,7 +40,7 @@ static asp_heights *path_of(const aspi_judge_case *subject, size_t number, int f
   return path;
 }
 
-/* What a flight passes over, as a wall and as a field, and the diameter of the flying
+/* The heights under a flight, as a wall and as a field, and the diameter of the flying
  * particle: nearly 0 over the path of the center. */
 typedef struct course {
   asp_wall *wall;

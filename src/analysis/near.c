@@ -1,13 +1,14 @@
 /* Impacts near a place; see near.h. The tree halves the rows, which are permuted, along the
- * coordinate that reaches farthest. Rows without speed or size are in trees of their own.
+ * coordinate that reaches farthest. An unknown speed or size is NAN: no comparison with it is true,
+ * so that it is near any.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/near.h"
 
 #include <stdlib.h>
 
-/* Rows of a leaf. Angle, speed, size. A tree for each of: both known, speed, size, none. */
-enum { LEAF = 16, PLACES = 3, TREES = 4 };
+/* Rows of a leaf. Angle, speed, size. */
+enum { LEAF = 16, PLACES = 3 };
 
 /* A reach of 0 counts as this. */
 #define FAR_LEAST 1e-4
@@ -21,15 +22,15 @@ typedef struct node {
 
 typedef struct point {
   const aspi_scatter_row *row;
-  double rows, at[PLACES], weight; /* 0 where it is not known */
+  double rows, at[PLACES], weight; /* at: NAN where it is not known */
 } point;
 
 struct aspi_near {
   double far[PLACES];
-  point *points; /* tree after tree */
-  size_t first[TREES + 1];
-  node *nodes[TREES]; /* the children of node k are 2 k + 1 and 2 k + 2 */
-  double **found;     /* weights of what was found last, rows and nodes */
+  point *points;
+  size_t count;
+  node *nodes;    /* the children of node k are 2 k + 1 and 2 k + 2 */
+  double **found; /* weights of what was found last, rows and nodes */
   size_t n_found;
 };
 
@@ -71,8 +72,8 @@ static void build(const aspi_near *near, node *nodes, size_t k, point *p, size_t
     own->rows += p[i].rows;
   for (int d = 0; d < PLACES; d++) {
     for (size_t i = 0; i < count; i++) {
-      own->least[d] = fmin(own->least[d], p[i].at[d]);
-      own->most[d] = fmax(own->most[d], p[i].at[d]);
+      own->least[d] = fmin(own->least[d], isnan(p[i].at[d]) ? -INFINITY : p[i].at[d]);
+      own->most[d] = fmax(own->most[d], isnan(p[i].at[d]) ? INFINITY : p[i].at[d]);
     }
     double length = (own->most[d] - own->least[d]) / (near->far[d] * (d ? own->most[d] : 1));
     longest = length > most ? d : longest;
@@ -85,36 +86,22 @@ static void build(const aspi_near *near, node *nodes, size_t k, point *p, size_t
   build(near, nodes, 2 * k + 2, p + count / 2, count - count / 2);
 }
 
-/* Which tree a row is in. */
-static int tree_of(const aspi_scatter_row *row) {
-  return isnan(row->v1) + 2 * isnan(row->d_p);
-}
-
 static bool make(aspi_near *near, const aspi_scatter *impacts) {
-  size_t n = 0;
-  near->points = malloc((impacts->count + 1) * sizeof *near->points);
-  near->found = malloc((impacts->count + 1) * sizeof *near->found);
-  for (int t = 0; t < TREES && near->points; t++) {
-    for (size_t i = 0; i < impacts->count; i++) {
-      const aspi_scatter_row *row = &impacts->rows[i];
-      if (tree_of(row) == t)
-        near->points[n++] =
-            (point){row,
-                    row->rows,
-                    {row->degrees, isnan(row->v1) ? 0 : row->v1, isnan(row->d_p) ? 0 : row->d_p},
-                    0};
-    }
-    near->first[t + 1] = n;
-    size_t count = n - near->first[t], nodes = 1;
-    while (nodes * LEAF < count)
-      nodes *= 2;
-    near->nodes[t] = count ? malloc(2 * nodes * sizeof **near->nodes) : NULL;
-    if (count && !near->nodes[t])
-      return false;
-    if (count)
-      build(near, near->nodes[t], 0, near->points + near->first[t], count);
+  size_t nodes = 1;
+  while (nodes * LEAF < impacts->count)
+    nodes *= 2;
+  near->count = impacts->count;
+  near->points = malloc((near->count + 1) * sizeof *near->points);
+  near->found = malloc((near->count + 1) * sizeof *near->found);
+  near->nodes = malloc(2 * nodes * sizeof *near->nodes);
+  if (!near->points || !near->found || !near->nodes)
+    return false;
+  for (size_t i = 0; i < near->count; i++) {
+    const aspi_scatter_row *row = &impacts->rows[i];
+    near->points[i] = (point){row, row->rows, {row->degrees, row->v1, row->d_p}, 0};
   }
-  return near->points && near->found;
+  build(near, near->nodes, 0, near->points, near->count);
+  return true;
 }
 
 aspi_near *aspi_near_create(const aspi_scatter *impacts, const aspi_compare_reach *far) {
@@ -131,11 +118,10 @@ aspi_near *aspi_near_create(const aspi_scatter *impacts, const aspi_compare_reac
 }
 
 void aspi_near_free(aspi_near *near) {
-  for (int t = 0; t < TREES && near; t++)
-    free(near->nodes[t]);
   if (near) {
     free(near->points);
     free(near->found);
+    free(near->nodes);
   }
   free(near);
 }
@@ -173,7 +159,7 @@ static double find(aspi_near *near, node *nodes, size_t k, point *p, size_t coun
   for (size_t i = 0; i < count; i++) { /* without branches, as half of these are outside */
     bool inside = true;
     for (int d = 0; d < PLACES; d++)
-      inside &= !(open >> d & 1) | (fabs(p[i].at[d] - b->center[d]) <= b->reach[d]);
+      inside &= !(fabs(p[i].at[d] - b->center[d]) > b->reach[d]);
     near->found[near->n_found] = &p[i].weight;
     near->n_found += inside;
     rows += inside * p[i].rows;
@@ -185,15 +171,8 @@ double aspi_near_find(aspi_near *near, const aspi_scatter_row *at,
                       const aspi_compare_reach *reach) {
   const box b = {{at->degrees, at->v1, at->d_p},
                  {reach->degrees, reach->speed * at->v1, reach->size * at->d_p}};
-  double rows = 0;
   near->n_found = 0;
-  for (int t = 0; t < TREES; t++) {
-    const int known = 1 | !(t % 2 || isnan(at->v1)) << 1 | !(t / 2 || isnan(at->d_p)) << 2;
-    size_t count = near->first[t + 1] - near->first[t];
-    if (count)
-      rows += find(near, near->nodes[t], 0, near->points + near->first[t], count, &b, known);
-  }
-  return rows;
+  return find(near, near->nodes, 0, near->points, near->count, &b, (1 << PLACES) - 1);
 }
 
 void aspi_near_weigh(aspi_near *near, double each) {
@@ -223,10 +202,5 @@ static size_t take(node *nodes, size_t k, point *p, size_t count, double weight,
 }
 
 size_t aspi_near_take(aspi_near *near, aspi_weighted *taken) {
-  size_t n = 0;
-  for (int t = 0; t < TREES; t++)
-    if (near->nodes[t])
-      n += take(near->nodes[t], 0, near->points + near->first[t],
-                near->first[t + 1] - near->first[t], 0, taken + n);
-  return n;
+  return take(near->nodes, 0, near->points, near->count, 0, taken);
 }

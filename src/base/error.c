@@ -61,13 +61,6 @@ asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, 
                    unit, least, most, space, unit);
 }
 
-asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value) {
-  if (isfinite(value) && value > 0)
-    return ASP_OK;
-  return aspi_fail(error, ASP_EARG, "%s is %g%s%s; it must be a finite number > 0", name, value,
-                   *unit ? " " : "", unit);
-}
-
 asp_code aspi_check_length(asp_error *error, const char *name, double value) {
   if (value >= LENGTH_LEAST && value <= LENGTH_MOST)
     return ASP_OK;

@@ -13,6 +13,9 @@ __attribute__((format(printf, 3, 4)))
 asp_code
 aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 
+/* The same for functions that return a pointer: NULL. */
+#define aspi_fail_null(...) (aspi_fail(__VA_ARGS__), NULL)
+
 /* ASP_EDATA and "<path>:<line>: <message>"; line 0: there are none. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
@@ -24,9 +27,6 @@ aspi_file_fail(const char *path, size_t line, asp_error *error, const char *form
  * calls it `name` and its unit `unit` ("" for none). */
 asp_code aspi_check_range(asp_error *error, const char *name, const char *unit, double value,
                           double least, double most);
-
-/* ASP_EARG unless value > 0, finite. */
-asp_code aspi_check_positive(asp_error *error, const char *name, const char *unit, double value);
 
 /* ASP_EARG unless a length is from 1e-100 to 1e100 in any unit, so that ratios and squares do not
  * overflow. */

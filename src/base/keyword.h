@@ -17,7 +17,7 @@ typedef enum aspi_print {
   ASPI_PRINT_NEVER
 } aspi_print;
 
-/* What a word needs of the rest of a description to have an effect; bits. */
+/* Conditions on the rest of a description without which a word has no effect; bits. */
 typedef enum aspi_need {
   ASPI_ROUGH = 1,      /* a rough wall */
   ASPI_SIZES = 2,      /* a model that is prepared for diameters */

@@ -42,7 +42,7 @@ static bool copy_character(FILE *from, FILE *to, order of) {
   return true;
 }
 
-/* What is in a pipe, or in UTF-16, as bytes in a temporary file. */
+/* Copies a pipe, or UTF-16 as UTF-8, to a temporary file. */
 static FILE *copy_of(FILE *from, const char *path, order of, asp_error *error) {
   FILE *copy = tmpfile();
   char block[4096];

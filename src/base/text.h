@@ -19,8 +19,8 @@ typedef struct aspi_text {
   size_t line;      /* of the line or word at hand, from 1 */
   char *text;       /* the current line, without its end; in the buffer, for the caller to cut */
   size_t length;
-  char *rest; /* of it, behind its words that were read */
-  /* What is read from the stream, in which the next line is from `next` (NULL: none) to `end`. */
+  char *rest; /* of the line: behind the words that were read */
+  /* The text read so far: the next line is from `next` (NULL: none) to `end`. */
   char *buffer, *next, *end;
   size_t room;
 } aspi_text;

@@ -6,13 +6,13 @@
 
 #include <math.h>
 
-/* Of numbers that went through a text or a sum of many: files have 6 to 9 digits. */
+/* For numbers from a text or a long sum: files have 6 to 9 digits. */
 #define ASPI_ROUNDING_TEXT 1e-9
 
-/* Of numbers in double precision after a few operations: they have 16 digits. */
+/* For double precision after a few operations, which has 16 digits. */
 #define ASPI_ROUNDING_DOUBLE 1e-12
 
-/* Of a component of a velocity that went through an engine's steps and frames. */
+/* For a component of a velocity that went through an engine's steps and frames. */
 #define ASPI_ROUNDING_PART 1e-6
 
 /* a/b; NAN if b is only rounding of a part of `whole`. */

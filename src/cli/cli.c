@@ -7,6 +7,7 @@
 
 #include <ctype.h>
 #include <getopt.h>
+#include <libgen.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -20,28 +21,18 @@ static bool is_file(const char *path, const struct stat *file) {
   return stat(path, &found) == 0 && found.st_dev == file->st_dev && found.st_ino == file->st_ino;
 }
 
-/* The resolved folder of a path with the name of the file, from malloc: a link to a file is
- * replaced, not followed. NULL: there is no such folder. */
-static char *place_of(const char *path) {
-  char *copy = cli_copy(path), *slash = strrchr(copy, '/');
-  const char *name = slash ? path + (slash - copy) + 1 : path;
-  if (slash)
-    slash[slash == copy] = '\0';
-  char *folder = realpath(slash ? copy : ".", NULL), *place = NULL;
-  if (folder) {
-    size_t size = strlen(folder) + strlen(name) + 2;
-    place = cli_allocate(size, 1);
-    snprintf(place, size, "%s/%s", folder, name);
-  }
-  free(folder);
-  free(copy);
-  return place;
+static const char *name_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
 }
 
+/* True for one name in one folder: a link to a file is replaced, not followed. */
 static bool is_same(const char *path, const char *other) {
-  char *place = place_of(path), *others = place_of(other);
-  bool same = place && others && strcmp(place, others) == 0;
-  free(place);
+  char *folder = cli_copy(path), *others = cli_copy(other);
+  struct stat found;
+  bool same = strcmp(name_of(path), name_of(other)) == 0 && stat(dirname(folder), &found) == 0 &&
+              is_file(dirname(others), &found);
+  free(folder);
   free(others);
   return same;
 }

@@ -1,4 +1,4 @@
-/* What may follow on a command line, for the shell's completion (asperity.bash); see cli.h.
+/* Words that may follow on a command line, for the shell's completion (asperity.bash); see cli.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/cli.h"
@@ -20,7 +20,7 @@ static bool put_values(const cli_option *options, const char *word) {
   return false;
 }
 
-/* Prints what may follow the arguments; true if options may. */
+/* Prints the words that may follow the arguments; true if options may. */
 static bool put_arguments(const cli_command *command, int count, char **words) {
   const char *argument = command->arguments ? command->arguments : "";
   int files = 0; /* before the description, or in place of it */

@@ -207,7 +207,7 @@ static void write_table(FILE *out, const aspi_faces *f) {
 
 /* ---- the picture ---- */
 
-/* What a picture shows: a field, per area or not, in the first of its units in which the largest
+/* A field that a picture shows, per area or not, in the first of its units in which the largest
  * value is LEGIBLE or more. `hint`: why it may be unknown. */
 #define LEGIBLE 0.1
 enum { UNITS_MOST = 5 };
@@ -241,7 +241,7 @@ static const quantity quantities[] = {
      {{"mm", 1e3}, {"µm", 1e6}, {"nm", 1e9}, {"pm", 1e12}, {"fm", 1e15}},
      ""}};
 
-/* Of the option `of`; wear as a depth, where the wall's density is known. */
+/* The quantity of the option `of`; wear is a depth where the wall's density is known. */
 static const quantity *quantity_of(const cli_call *call, const aspi_faces *f) {
   const quantity *q = &quantities[cli_choice(cli_get(call, "of"))];
   q = q->field == ASPI_FACE_ERODED && is_known(f, ASPI_FACE_DEPTH) ? &quantities[4] : q;

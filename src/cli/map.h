@@ -12,7 +12,7 @@ typedef struct cli_deposit {
   double x[3], d_p;
 } cli_deposit;
 
-/* What is drawn: a value of each face per area or alone (NAN: none), and deposits as dots. */
+/* The picture: a value of each face, per area or alone (NAN: none), and deposits as dots. */
 typedef struct cli_map {
   const aspi_faces *faces;
   double *value;

@@ -27,7 +27,7 @@ typedef struct picture {
   double axis[3][3]; /* to the right, up, toward the viewer */
   double light[3];
   int clip;            /* axis */
-  double from, to;     /* of it */
+  double from, to;     /* ends of the clip along that axis */
   double lo[3], hi[3]; /* of what is drawn, along the axes of the picture */
   double scale;        /* points of the buffer per meter */
   int width, height;   /* pixels */

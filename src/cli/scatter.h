@@ -98,7 +98,7 @@ static inline bool cli_scatter_has(const cli_scatter *table, int column) {
 
 /* The columns that give the coefficients, in this order where there are several. */
 typedef struct cli_scatter_form {
-  bool means, points, components, normal; /* normal: components of it alone */
+  bool means, points, components, normal; /* normal: components along the normal alone */
   bool drops;                             /* speeds without angles: along the normal */
   bool psi;                               /* tangents in place of angles */
   aspi_projection ratios, velocities;     /* ASPI_PROJECTIONS: none */

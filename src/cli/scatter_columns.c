@@ -25,7 +25,7 @@
 /* A larger number is a mistake. */
 #define LARGE 1e15
 
-/* What stands before the name of the units in a ledger's comment. */
+/* Text before the name of the units in a ledger's comment. */
 #define UNITS "; units "
 
 #define VECTOR(AT, X, Y, Z, KIND)                                                                  \

@@ -222,7 +222,7 @@ static void print_rows(FILE *out, const slopes_row *rows, size_t count, bool mea
 /* ---- the table of the picture: the profile, its closing, the path of the first particle's center,
  * and the tilts that it meets (Altmeppen et al. 2020, figures 3 and 4) ---- */
 
-/* Of a longer profile the picture shows as many points. */
+/* Most points of a profile in the picture. */
 enum { DRAWN_MOST = 1 << 16 };
 
 static void plot(const cli_call *call, const wall_profile *wall, double d_p) {

@@ -13,10 +13,8 @@
 
 asp_description *aspi_description_create(const asp_units *units, asp_error *error) {
   asp_description *d = calloc(1, sizeof *d);
-  if (!d) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a description");
-    return NULL;
-  }
+  if (!d)
+    return aspi_fail_null(error, ASP_ENOMEM, "out of memory for a description");
   d->units = units ? *units : aspi_si;
   d->units.name = d->units.name ? d->units.name : "the caller's units";
   d->last = "";

@@ -50,9 +50,10 @@ struct asp_description {
   double friction, surface_energy, yield_stress;
   double seed;
   /* If true, a number of the law or of a `fittable` keyword may be `fit` or `fit=START`. Until the
-   * fit sets it, its value is START, the default, or NaN (from the materials), in this order. */
+   * fit sets it, its value is START if given, else the default, else NaN: it comes from the
+   * materials. */
   bool fittable;
-  const char *fitted[ASPI_FITS_MOST]; /* names of these numbers, in order */
+  const char *fitted[ASPI_FITS_MOST]; /* names of the numbers that are `fit`, in order */
   int n_fitted;
   aspi_wall_choice choice; /* without what aspi_description_choice adds */
   aspi_cor_table *cor_table;

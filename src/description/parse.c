@@ -59,7 +59,7 @@ static asp_code check_within(aspi_words *r, const aspi_keyword *of, bool any) {
                : ASP_EARG;
 }
 
-/* A word that is nearly one within the keyword tells more than what is missing. */
+/* Names a misspelled word within the keyword in place of the word that is missing. */
 static asp_code fail_within(const aspi_words *r, const aspi_keyword *of, asp_code code) {
   char list[ASPI_LIST_MOST] = "", near[64];
   const char *next = r->next < r->count ? r->words[r->next] : "";
@@ -137,7 +137,7 @@ asp_code asp_description_read(asp_description *d, int count, const char *const *
 }
 
 /* Cuts a text into words, in place; quotes hold one together. The number of words, and where there
- * is room for them, these; -1 where a quote has no end. */
+ * is room for them, the words; -1 where a quote has no end. */
 static int split(char *text, const char **words) {
   int count = 0;
   for (char *at = text; *(at += strspn(at, " \t\r\n"));) {
@@ -195,10 +195,8 @@ bool aspi_description_complete(aspi_completions *completions, int count, const c
 }
 
 asp_description *asp_description_parse(const char *text, const asp_units *units, asp_error *error) {
-  if (!text) {
-    aspi_fail(error, ASP_EARG, "the text of a description is NULL");
-    return NULL;
-  }
+  if (!text)
+    return aspi_fail_null(error, ASP_EARG, "the text of a description is NULL");
   asp_description *d = aspi_description_create(units, error);
   char *words = d ? aspi_words_copy(text, error) : NULL;
   asp_code code = words ? parse(d, words, error) : ASP_ENOMEM;

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/* What a header says; scales in m, NAN for what it does not say. */
+/* Numbers of a header; scales in m. NAN: not stated. */
 typedef struct aspi_height_grid {
   double points, profiles, x_scale, y_scale, z_scale, compression;
   int type;    /* of binary heights, by their number in SDF; -1 in ASCII */

@@ -1,4 +1,4 @@
-/* What the header of a measured file in text says of its numbers.
+/* Units, steps and counts in the header of a measured file in text.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_READERS_HEAD_H

@@ -246,7 +246,7 @@ static asp_code fill_gaps(aspi_raw *raw, aspi_profile_report *report, asp_error 
                           aspi_kind_of_rows(raw->rows));
 }
 
-/* ---- all of it ---- */
+/* ---- mending ---- */
 
 static double largest(const aspi_raw *raw) {
   double least, most;

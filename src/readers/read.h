@@ -37,7 +37,7 @@ typedef struct aspi_profile_report {
   size_t outliers;    /* where none are looked for: points that are clearly dust */
   size_t filled;      /* points of the result that were filled in */
   size_t longest_gap; /* most of them in a row */
-  char text[700];     /* all of that, and how the file was read, as a sentence */
+  char text[700];     /* for the log: the counts above, separator and unit in one sentence */
   char warnings[440]; /* what makes the heights doubtful, or "" */
 } aspi_profile_report;
 
@@ -139,7 +139,7 @@ typedef struct aspi_missing {
   size_t count; /* heights other than known marks; their range */
   double least, most;
   double mark; /* the largest of the known marks; 0: none */
-  size_t line; /* of it */
+  size_t line; /* where that mark is */
 } aspi_missing;
 
 /* Notes one height of the file and returns it; NAN if it is the stated mark. */

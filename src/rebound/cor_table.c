@@ -117,10 +117,8 @@ static aspi_cor_table *make(const aspi_cor_point *p, size_t count, size_t n_angl
 
 aspi_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count,
                                       asp_error *error) {
-  if (count == 0) {
-    aspi_fail(error, ASP_EDATA, "a table of coefficients without a row");
-    return NULL;
-  }
+  if (count == 0)
+    return aspi_fail_null(error, ASP_EDATA, "a table of coefficients without a row");
   aspi_cor_point *sorted = malloc(count * sizeof *sorted);
   aspi_cor_table *table = NULL;
   size_t n_angles = 1;

@@ -1,4 +1,4 @@
-/* What the temperature of a particle changes: the viscosity of molten ash, by which it sticks, and
+/* Effects of a particle's temperature: on the viscosity of molten ash, by which it sticks, and on
  * Young's modulus. To add a form of one, add its record to the table in heat.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -38,7 +38,7 @@ extern const aspi_curve_form aspi_curve_forms[];
 /* Reads the table of a curve, with temperature_k and this column, in SI. */
 asp_code aspi_curve_read(aspi_curve *curve, const char *column, asp_error *error);
 
-/* What a wall does with hot particles. Temperatures in K. */
+/* How hot particles change a wall. Temperatures in K. */
 typedef struct aspi_heat {
   aspi_curve viscosity, modulus;
   double critical;                      /* what is less viscous sticks at each impact */

@@ -82,6 +82,11 @@ int aspi_rebound_parameter_find(const asp_rebound_law *law, const char *name);
 asp_code aspi_rebound_check_bodies(const asp_rebound_law *law, const double *parameters,
                                    asp_error *error);
 
+/* A law that does so with all parameters. */
+static inline bool aspi_rebound_always(const double *parameters) {
+  return parameters;
+}
+
 #define ASP_REBOUND_LAWS(X)                                                                        \
   X(bons)                                                                                          \
   X(constant) X(grant_tabakoff) X(table) X(thornton_ning) X(walton)

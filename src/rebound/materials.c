@@ -63,10 +63,8 @@ asp_material *asp_material_create(const char *name, asp_error *error) {
   name = aspi_word_or_empty(name);
   size_t length = strlen(name) + 1;
   asp_material *material = malloc(sizeof *material + length);
-  if (!material) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for material '%s'", name);
-    return NULL;
-  }
+  if (!material)
+    return aspi_fail_null(error, ASP_ENOMEM, "out of memory for material '%s'", name);
   char *copy = (char *)(material + 1);
   memcpy(copy, name, length);
   *material = (asp_material){.name = copy, .title = "", .source = ""};
@@ -194,10 +192,8 @@ const asp_material *aspi_materials_find(const aspi_materials *own, const char *n
   for (int i = 0; i < mine + asp_material_count(); i++) {
     const asp_material *m = i < mine ? own->list[i] : &presets[i - mine];
     bool is_it = strcasecmp(m->name, name) == 0;
-    if (is_it && found && i < mine) {
-      aspi_fail(error, ASP_EDATA, "material '%.100s' is there twice in the file", name);
-      return NULL;
-    }
+    if (is_it && found && i < mine)
+      return aspi_fail_null(error, ASP_EDATA, "material '%.100s' is there twice in the file", name);
     found = is_it && !found ? m : found;
     if (!found && strlen(list) + strlen(m->name) + 2 < sizeof list)
       aspi_append(list, sizeof list, "%s%s", *list ? " " : "", m->name);

@@ -24,20 +24,17 @@ static double give(const asp_material *m) {
 
 asp_pair *asp_pair_create(const asp_material *particle, const asp_material *wall,
                           asp_error *error) {
-  if (!particle || !wall) {
-    aspi_fail(error, ASP_EARG, "a pair needs two materials; the %s's is NULL",
-              particle ? "wall" : "particle");
-    return NULL;
-  }
+  if (!particle || !wall)
+    return aspi_fail_null(error, ASP_EARG, "a pair needs two materials; the %s's is NULL",
+                          particle ? "wall" : "particle");
   if (check(particle, "particle", error) || check(wall, "wall", error))
     return NULL;
   double modulus =
       1 / (give(particle) / particle->youngs_modulus + give(wall) / wall->youngs_modulus);
-  if (!(modulus > 0 && isfinite(modulus))) {
-    aspi_fail(error, ASP_EARG, "Young's moduli %g and %g give no finite composite modulus",
-              particle->youngs_modulus, wall->youngs_modulus);
-    return NULL;
-  }
+  if (!(modulus > 0 && isfinite(modulus)))
+    return aspi_fail_null(error, ASP_EARG,
+                          "Young's moduli %g and %g give no finite composite modulus",
+                          particle->youngs_modulus, wall->youngs_modulus);
   asp_pair *pair = malloc(sizeof *pair);
   if (pair)
     *pair = (asp_pair){.modulus = modulus,

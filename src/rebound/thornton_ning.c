@@ -113,11 +113,6 @@ static aspi_bounce rebound(const double *p, const aspi_hit *hit) {
   return (aspi_bounce){n2, 0, rub, pair->friction};
 }
 
-static bool spins(const double *p) {
-  (void)p;
-  return true;
-}
-
 const asp_rebound_law aspi_rebound_thornton_ning = {
     .name = "thornton_ning",
     .summary = "elastic, plastic or stuck: a Hertz spring that yields and adheres, with Coulomb "
@@ -128,5 +123,5 @@ const asp_rebound_law aspi_rebound_thornton_ning = {
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,
-    .spins = spins,
+    .spins = aspi_rebound_always,
 };

@@ -77,11 +77,6 @@ static bool is_compliant(const double *p) {
   return p[BETA0] > 0 || p[COMPLIANCE] > 0;
 }
 
-static bool spins(const double *p) {
-  (void)p;
-  return true;
-}
-
 const asp_rebound_law aspi_rebound_walton = {
     .name = "walton",
     .summary = "hard sphere with Coulomb friction: it slides, or sticks or rolls, and spins",
@@ -89,6 +84,6 @@ const asp_rebound_law aspi_rebound_walton = {
     .n_parameters = N_PARAMETERS,
     .parameters = parameters,
     .rebound = rebound,
-    .spins = spins,
+    .spins = aspi_rebound_always,
     .is_compliant = is_compliant,
 };

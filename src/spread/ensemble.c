@@ -1,5 +1,5 @@
 /* First hits on a Gaussian wall, from the table of an ensemble (first_hits.csv, made by
- * tests/sweep/make_first_hits.c): x = slope/s_eff where the share below is Phi(z), over z, a =
+ * tests/tables/make_first_hits.c): x = slope/s_eff where the share below is Phi(z), over z, a =
  * tan(alpha1)/s_eff, kappa and phi_r. Interpolation is by a cubic through four nodes in z (Catmull
  * & Rom 1974), which is monotone here, and linear in a/(1 + a), log2(1 + 8 kappa) and phi_r. Below
  * the first node x + a falls exponentially with z; above the last one x is linear in z, as for a

@@ -1,5 +1,5 @@
 /* First hits on a Gaussian wall, the model `profile`: a table over a = tan(alpha1)/s_eff, kappa and
- * phi_r from an ensemble of profiles (tests/sweep/make_first_hits.c). Needs no set-up.
+ * phi_r from an ensemble of profiles (tests/tables/make_first_hits.c). Needs no set-up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_SPREAD_ENSEMBLE_H

@@ -30,7 +30,7 @@ typedef struct aspi_field {
   aspi_tops level[ASPI_TOPS_MOST];
   double top;        /* the highest point */
   double bottom;     /* a height below all points */
-  double fall_least; /* least slope of a beam that meets many peaks */
+  double fall_least; /* beams are followed no flatter than this; see aspi_fall_least */
 } aspi_field;
 
 /* Where a sphere lies between two contacts, its contact moves by more steps than this while its

@@ -8,7 +8,7 @@
  * one flight over a profile eight times as long.
  *
  * In space a profile is one cut of a wall that is alike in all directions: after a hit the flight
- * continues at another place of it (places.h), and the path of a disc is scaled to that of a
+ * continues at another place of that cut (places.h), and the path of a disc is scaled to that of a
  * sphere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -135,10 +135,8 @@ static void *prepare(const aspi_height_field *of, const aspi_sizes *sizes, asp_e
   if (generated && asp_surface_kappa(of->surface, sizes->most) < ASPI_KAPPA_NO_FILTER)
     bins = 1; /* all sizes meet the same slopes */
   fields *t = calloc(1, sizeof *t + (size_t)(bins * number) * sizeof *t->wall);
-  if (!t) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for %d dilated walls", bins * number);
-    return NULL;
-  }
+  if (!t)
+    return aspi_fail_null(error, ASP_ENOMEM, "out of memory for %d dilated walls", bins * number);
   *t = (fields){{sizes->least, sizes->most, bins}, is_map,    d.lay,
                 of->in_space && !is_map,           generated, number};
   for (int i = 0; i < number; i++)

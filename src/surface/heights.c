@@ -78,14 +78,12 @@ asp_heights *aspi_profile_generate(double r_q, double lambda_c, double spacing, 
                                    uint32_t seed, asp_error *error) {
   double step = spacing / lambda_c;
   if (step > SPACING_MOST || !((double)points * step >= ASPI_LENGTHS_LEAST) ||
-      points > ASP_POINTS_MOST / 2) {
-    aspi_fail(
+      points > ASP_POINTS_MOST / 2)
+    return aspi_fail_null(
         error, ASP_EARG,
         "a profile of %zu points, lambda_c/%.3g apart; they must be lambda_c/4 apart or less, "
         "and over %g lambda_c, but no more than %zu",
         points, 1 / step, ASPI_LENGTHS_LEAST, ASP_POINTS_MOST / 2);
-    return NULL;
-  }
   size_t reach = (size_t)ceil(KERNEL_REACH / step), n = aspi_power_of_two(8 * reach);
   double *noise = aspi_allocate(points), *block = aspi_allocate(2 * n),
          *heights = aspi_allocate(points);
@@ -129,19 +127,17 @@ asp_heights *asp_heights_create(const double *z, size_t columns, size_t rows, do
       (rows > 1 && aspi_check_length(error, "step_y", step_y)))
     return NULL;
   if (!z || columns < ASP_SIDE_LEAST || !rows || (rows > 1 && rows < ASP_SIDE_LEAST) ||
-      columns > ASP_POINTS_MOST / rows) {
-    aspi_fail(error, ASP_EARG,
-              "a wall has %zu x %zu points; a row must have at least %d of them, a map as many "
-              "rows, and all together at most %zu",
-              z ? columns : 0, rows, ASP_SIDE_LEAST, ASP_POINTS_MOST);
-    return NULL;
-  }
+      columns > ASP_POINTS_MOST / rows)
+    return aspi_fail_null(
+        error, ASP_EARG,
+        "a wall has %zu x %zu points; a row must have at least %d of them, a map as many "
+        "rows, and all together at most %zu",
+        z ? columns : 0, rows, ASP_SIDE_LEAST, ASP_POINTS_MOST);
   for (size_t i = 0; i < columns * rows; i++)
-    if (!(fabs(z[i]) <= HEIGHT_MOST * step_x)) {
-      aspi_fail(error, ASP_EARG, "height %zu is %g; it must be a number up to %g spacings", i, z[i],
-                HEIGHT_MOST);
-      return NULL;
-    }
+    if (!(fabs(z[i]) <= HEIGHT_MOST * step_x))
+      return aspi_fail_null(error, ASP_EARG,
+                            "height %zu is %g; it must be a number up to %g spacings", i, z[i],
+                            HEIGHT_MOST);
   double *copy = aspi_allocate(columns * rows);
   if (copy)
     memcpy(copy, z, columns * rows * sizeof *copy);

@@ -313,13 +313,10 @@ asp_heights *aspi_profile_rolled(const asp_heights *profile, double d_p, int par
 asp_heights *aspi_profile_path(const asp_heights *profile, double d_p, size_t most,
                                asp_error *error) {
   double length = aspi_profile_length(profile);
-  if (aspi_check_positive(error, "d_p", "", d_p))
-    return NULL;
-  if (d_p > length) {
-    aspi_fail(error, ASP_EARG, "d_p is %g; it must be at most the profile's length of %g", d_p,
-              length);
-    return NULL;
-  }
+  if (!(d_p > 0 && d_p <= length))
+    return aspi_fail_null(error, ASP_EARG,
+                          "d_p is %g; it must be > 0 and at most the profile's length of %g", d_p,
+                          length);
   double parts = fmin(ceil(ACROSS * profile->step[0] / d_p), (double)(most / profile->columns));
   return aspi_profile_rolled(profile, d_p, (int)fmax(1, parts), error);
 }

@@ -60,10 +60,8 @@ double aspi_closed_form(double kappa) {
 
 static asp_surface *allocate(int nodes, asp_error *error) {
   asp_surface *surface = calloc(1, sizeof *surface + 2 * (size_t)nodes * sizeof *surface->value);
-  if (!surface) {
-    aspi_fail(error, ASP_ENOMEM, "out of memory for a surface");
-    return NULL;
-  }
+  if (!surface)
+    return aspi_fail_null(error, ASP_ENOMEM, "out of memory for a surface");
   surface->nodes = nodes;
   surface->stretch = 1;
   surface->tangent = surface->value + nodes;

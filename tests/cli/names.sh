@@ -51,7 +51,7 @@ mkdir temporary
 for signal in INT TERM HUP; do
   for to in "-o out" "-o out --plot out.png"; do
     TMPDIR=$work/temporary env --default-signal "$asperity" cor surface sigma 5 --samples 1000000 $to 2> err & pid=$!
-    until [ -n "$(find . -name 'out.*.partial'; find /proc/$pid/fd -lname '*(deleted)')" ]; do sleep 0.02; kill -0 $pid || die "cor $to: $(cat err)"; done
+    until [ -n "$(find . -name 'out.*.partial'; find /proc/$pid/fd -lname '/tmp/*(deleted)')" ]; do sleep 0.02; kill -0 $pid || die "cor $to: $(cat err)"; done
     status=0; kill -s $signal $pid; wait $pid 2> /dev/null || status=$?
     [ $status = $((128 + $(kill -l $signal))) ] || die "$signal: exit $status"
     [ -z "$(ls temporary; find . -name 'out*')" ] || die "$signal leaves: $(ls temporary; find . -name 'out*')"

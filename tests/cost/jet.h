@@ -35,10 +35,11 @@ inline std::vector<JetGrain> jet_grains() {
     const double t = (0.05 + 0.7 * uniform()) * JET_STEPS * JET_DT;
     const double vx = speed * cos(angle), vz = -speed * sin(angle);
     const int k = 79 * (i + 1) % n; /* a place that has nothing to do with the angle */
-    all.push_back({{JET_PITCH * (k % JET_SIDE) - vx * t, JET_PITCH * (k / JET_SIDE), d / 2 - vz * t},
-                   {vx, 0, vz},
-                   d / 2,
-                   2650 * pi / 6 * d * d * d});
+    all.push_back(
+        {{JET_PITCH * (k % JET_SIDE) - vx * t, JET_PITCH * (k / JET_SIDE), d / 2 - vz * t},
+         {vx, 0, vz},
+         d / 2,
+         2650 * pi / 6 * d * d * d});
   }
   return all;
 }

@@ -1,9 +1,12 @@
-/* What the unit tests share: cmocka's headers in the order it wants, and a comparison of doubles
- * (its own is of floats).
+/* Shared by the unit tests: cmocka's headers in the order it wants, behind all others, as it has a
+ * macro `fail`; a list of the tests of a file, each by TEST(its_name); a comparison of doubles
+ * (cmocka's own is of floats); and walls from words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASP_TEST_CHECK_H
 #define ASP_TEST_CHECK_H
+
+#include "asperity_internal.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -12,9 +15,36 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
 #include <cmocka.h>
+#ifdef __cplusplus
+}
+#endif
 
-#include "asperity_internal.h"
+static struct CMUnitTest listed_tests[64];
+static size_t n_listed_tests;
+
+static inline void list_test(const char *name, CMUnitTestFunction run, CMFixtureFunction before,
+                             CMFixtureFunction after) {
+  const struct CMUnitTest test = {name, run, before, after, NULL};
+  listed_tests[n_listed_tests++] = test;
+}
+
+/* Defines a test and adds it to the list; TEST_BETWEEN runs it between two functions that set up
+ * and clean up. */
+#define TEST_BETWEEN(name, before, after)                                                          \
+  static void name(void **nothing);                                                                \
+  __attribute__((constructor)) static void list_##name(void) {                                     \
+    list_test(#name, name, before, after);                                                         \
+  }                                                                                                \
+  static void name(__attribute__((unused)) void **nothing)
+#define TEST(name) TEST_BETWEEN(name, NULL, NULL)
+
+/* Runs the tests of the file, between two functions or NULL; for its main(). */
+#define RUN_TESTS(before, after)                                                                   \
+  _cmocka_run_group_tests(__FILE__, listed_tests, n_listed_tests, before, after)
 
 /* Fails unless |is - should| <= tolerance; prints both. */
 static inline void check_near(double is, double should, double tolerance, const char *file,
@@ -25,5 +55,13 @@ static inline void check_near(double is, double should, double tolerance, const 
   _fail(file, line);
 }
 #define assert_near(is, should, tolerance) check_near(is, should, tolerance, __FILE__, __LINE__)
+
+static inline asp_wall *wall_from(const char *text, double d_p) {
+  asp_error error;
+  asp_wall *wall = asp_wall_from_text(text, d_p, d_p, &error);
+  if (!wall)
+    fail_msg("'%s': %s", text, error.text);
+  return wall;
+}
 
 #endif

@@ -23,8 +23,7 @@ static void failed(bool is, const asp_error *error) {
   assert_true(error->code < ASP_OK && *error->text);
 }
 
-static void lists_end(void **state) {
-  (void)state;
+TEST(lists_end) {
   asp_error error;
   for (int i = -2; i < 100; i++) {
     assert_int_equal(asp_spread_at(i) != NULL, i >= 0 && i < asp_spread_count());
@@ -57,8 +56,7 @@ static void walk_pair(asp_pair *pair) {
   asp_pair_free(pair);
 }
 
-static void materials_and_pairs(void **state) {
-  (void)state;
+TEST(materials_and_pairs) {
   asp_error error;
   const asp_material *quartz = asp_material_at(0);
   asp_material *own = asp_material_create(NULL, &error), *bare = asp_material_create("x", &error);
@@ -83,8 +81,7 @@ static void materials_and_pairs(void **state) {
   asp_pair_free(NULL);
 }
 
-static void profiles_and_maps(void **state) {
-  (void)state;
+TEST(profiles_and_maps) {
   asp_error error;
   static const double bad[4] = {0, NAN, 1, 2}, flat[4] = {1, 1, 1, 1};
   static const double level[16] = {0};
@@ -105,8 +102,7 @@ static void profiles_and_maps(void **state) {
   asp_heights_free(NULL);
 }
 
-static void readers(void **state) {
-  (void)state;
+TEST(readers) {
   asp_error error, doubt;
   char text[10];
   for (int i = 0; i < NAMES; i++)
@@ -194,8 +190,7 @@ static void walk_description(asp_description *d, const asp_heights *profile,
   }
 }
 
-static void descriptions_and_walls(void **state) {
-  (void)state;
+TEST(descriptions_and_walls) {
   static const char *const texts[] = {
       "",
       "rebound constant 0.9 0.9",
@@ -238,8 +233,7 @@ static void descriptions_and_walls(void **state) {
 }
 
 /* A description that a word was wrong in fails for good. */
-static void a_broken_description_stays_so(void **state) {
-  (void)state;
+TEST(a_broken_description_stays_so) {
   asp_error error;
   int taken;
   const char *words[] = {"seed", "x"};
@@ -255,13 +249,5 @@ static void a_broken_description_stays_so(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(lists_end),
-      cmocka_unit_test(materials_and_pairs),
-      cmocka_unit_test(profiles_and_maps),
-      cmocka_unit_test(readers),
-      cmocka_unit_test(descriptions_and_walls),
-      cmocka_unit_test(a_broken_description_stays_so),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -37,8 +37,7 @@ static double brute(const asp_heights *map, double radius, size_t i, size_t j) {
   return best;
 }
 
-static void spheres_rest_where_brute_force_says(void **state) {
-  (void)state;
+TEST(spheres_rest_where_brute_force_says) {
   asp_heights *map = gauss(2, 0.6, 0.1, 0.13, 128, 256, 0.3);
   for (int periodic = 0; periodic < 2; periodic++)
     for (double d_p = 0.05; d_p < 12; d_p *= 2.3) {
@@ -55,8 +54,7 @@ static void spheres_rest_where_brute_force_says(void **state) {
 
 /* A sphere on waves of small slope whose crests are wider than it: the contact is where the normal
  * through the center meets the wave. */
-static void contacts_lie_between_the_points(void **state) {
-  (void)state;
+TEST(contacts_lie_between_the_points) {
   enum { N = 64 };
   double *z = aspi_allocate(N * N);
   double k = 2 * ASP_PI / N, height = 0.9, r = 3.3;
@@ -84,8 +82,7 @@ static void contacts_lie_between_the_points(void **state) {
 
 /* A sphere on a saddle z = c x y, which is its own parabola: its normal through the contact, from
  * wherever that is, leads to the center. */
-static void saddles_turn_spheres(void **state) {
-  (void)state;
+TEST(saddles_turn_spheres) {
   enum { N = 64, MIDDLE = 32 };
   const double c = 0.02, r = 20;
   double *z = aspi_allocate(N * N);
@@ -107,8 +104,7 @@ static void saddles_turn_spheres(void **state) {
   asp_heights_free(map);
 }
 
-static void generated_maps_have_their_covariance(void **state) {
-  (void)state;
+TEST(generated_maps_have_their_covariance) {
   enum { N = 1024 };
   double axis = 0.5;
   asp_heights *map = gauss(3, axis, 0.125, 0.125, N, N, 2);
@@ -124,8 +120,7 @@ static void generated_maps_have_their_covariance(void **state) {
   asp_heights_free(map);
 }
 
-static void slopes_follow_the_formula(void **state) {
-  (void)state;
+TEST(slopes_follow_the_formula) {
   const double kappa[] = {0.5, 2, 4}, ratio[] = {1, 5};
   for (int k = 0; k < 2; k++) {
     double phi = 0.05;
@@ -184,8 +179,7 @@ static double slope_under(const asp_heights *map, double d_p) {
 }
 
 /* How far the law is off where slopes are steep is as the header has it. */
-static void steep_slopes_are_off_the_law_as_stated(void **state) {
-  (void)state;
+TEST(steep_slopes_are_off_the_law_as_stated) {
   static const double kappa[] = {1, 4}, most[] = {-0.03, 0.02};
   double phi = 0.25, whole;
   asp_heights *map = gauss(1, 0, 1 / 16., 1 / 16., 512, 512, phi);
@@ -202,8 +196,7 @@ static void steep_slopes_are_off_the_law_as_stated(void **state) {
   asp_heights_free(map);
 }
 
-static void bad_maps_are_refused(void **state) {
-  (void)state;
+TEST(bad_maps_are_refused) {
   asp_error error;
   asp_heights *map = gauss(1, 0, 0.1, 0.1, 128, 256, 1);
   assert_null(aspi_ball_create(map, 13, &error));
@@ -212,14 +205,5 @@ static void bad_maps_are_refused(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(spheres_rest_where_brute_force_says),
-      cmocka_unit_test(contacts_lie_between_the_points),
-      cmocka_unit_test(saddles_turn_spheres),
-      cmocka_unit_test(generated_maps_have_their_covariance),
-      cmocka_unit_test(slopes_follow_the_formula),
-      cmocka_unit_test(steep_slopes_are_off_the_law_as_stated),
-      cmocka_unit_test(bad_maps_are_refused),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

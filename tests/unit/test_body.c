@@ -14,14 +14,6 @@ static const double up[3] = {0, 0, 1};
 #define D 2e-3
 #define RHO 2500.0
 
-static asp_wall *wall_from(const char *text) {
-  asp_error error = {.code = ASP_OK};
-  asp_wall *wall = asp_wall_from_text(text, D, D, &error);
-  if (!wall)
-    fail_msg("%s: %s", text, error.text);
-  return wall;
-}
-
 static double between(aspi_stream *s, double low, double high) {
   return low + (high - low) * aspi_stream_uniform(s);
 }
@@ -49,13 +41,13 @@ static double cor_n(const asp_wall *wall, double theta) {
 }
 
 /* CoR_N = e - (1 + e) q/(1 + q), q = (5/7) cos^2 theta, and its mean and sd over random axes. */
-static void dumbbells(void **state) {
+TEST(dumbbells) {
   static const double of[][3] = {{1, .3872, .2268}, {0.9, .3179, .2155}, {0.6, .1098, .1814}};
   enum { N = 4000 };
   for (int i = 0; i < 3; i++) {
     char text[80];
     snprintf(text, sizeof text, "rebound walton %g 0 0 deposit off", of[i][0]);
-    asp_wall *wall = wall_from(text);
+    asp_wall *wall = wall_from(text, D);
     double sum = 0, squares = 0;
     for (int k = 0; k < N; k++) {
       double c = cor_n(wall, asin((k + 0.5) / N));
@@ -89,7 +81,7 @@ static void words_of(const asp_rebound_law *law, char *text, size_t size) {
 }
 
 /* A sphere as a body is a sphere: for some laws, then for every one with its defaults. */
-static void a_sphere_is_a_body(void **state) {
+TEST(a_sphere_is_a_body) {
   static const char *const some[] = {"walton 0.8 0.3 0", "walton 1 100 0", "constant 0.7 0.6",
                                      "bons spin on materials quartz 304-ss"};
   enum { SOME = sizeof some / sizeof *some };
@@ -104,7 +96,7 @@ static void a_sphere_is_a_body(void **state) {
     if (law)
       words_of(law, words, sizeof words);
     snprintf(text, sizeof text, "surface sigma 12 rebound %s", law ? words : some[k]);
-    asp_wall *wall = wall_from(text);
+    asp_wall *wall = wall_from(text, D);
     for (uint64_t i = 0; i < 300; i++) {
       vec v = random_vec(&s), w = wall->spins ? scaled(random_vec(&s), 2 / D) : (vec){0, 0, 0};
       v = scaled((vec){v.x, v.y, -fabs(v.z)}, 10);
@@ -178,8 +170,8 @@ static vec in_small_steps(const asp_body *body, vec arm, vec m, vec u, double e,
 }
 
 /* A body wears as the mass that meets the wall: of a dumbbell 1/(1 + q) of it. */
-static void bodies_wear_by_the_mass_that_hits(void **state) {
-  asp_wall *wall = wall_from("rebound walton 0.9 0.3 0 erosion dnv density 7800 deposit off");
+TEST(bodies_wear_by_the_mass_that_hits) {
+  asp_wall *wall = wall_from("rebound walton 0.9 0.3 0 erosion dnv density 7800 deposit off", D);
   const double v1[3] = {0, 0, -3};
   const asp_key key = {1, 1, 1, 1, 0};
   asp_particle particle = {.d_p = D, .density = RHO};
@@ -195,7 +187,7 @@ static void bodies_wear_by_the_mass_that_hits(void **state) {
   asp_wall_free(wall);
 }
 
-static void the_path_of_routh(void **state) {
+TEST(the_path_of_routh) {
   aspi_stream s = aspi_stream_begin(&(asp_key){5, 1, 1, 1, 0});
   double worst = 0;
   for (int i = 0; i < 12; i++) {
@@ -214,7 +206,7 @@ static void the_path_of_routh(void **state) {
 
 /* Energy does not grow, with friction; without it the angular momentum about the contact is kept;
  * the touching sphere leaves. On demand: bodies in tests/sweep. */
-static void energy_and_momentum(void **state) {
+TEST(energy_and_momentum) {
   aspi_stream s = aspi_stream_begin(&(asp_key){7, 1, 1, 1, 0});
   for (int i = 0; i < 15000; i++) {
     double inertia[6], e = i % 3 ? between(&s, 0, 1) : 1, mu = i % 4 ? between(&s, 0, 2) : 0;
@@ -239,8 +231,8 @@ static void energy_and_momentum(void **state) {
 }
 
 /* A deposit holds the whole body; the law takes the effective mass, which decides. */
-static void sticks_as_a_whole(void **state) {
-  asp_wall *wall = wall_from("rebound bons materials quartz 304-ss yield_stress 200MPa");
+TEST(sticks_as_a_whole) {
+  asp_wall *wall = wall_from("rebound bons materials quartz 304-ss yield_stress 200MPa", D);
   int stuck = 0;
   double last = 0;
   for (int i = 0; i <= 40; i++) { /* the effective mass grows with the angle */
@@ -263,7 +255,7 @@ static void sticks_as_a_whole(void **state) {
 
 /* Eccentric grains: at normal impact without friction CoR_N = e - (1 + e) q/(1 + q) with q = 10 S^2
  * x, x exponential of mean 2; energy; they leave. */
-static void eccentric_grains(void **state) {
+TEST(eccentric_grains) {
   enum { N = 30000 };
   double s = 0.02, expected = 0, mean = 0;
   for (int i = 0; i < 1000; i++) {
@@ -272,7 +264,8 @@ static void eccentric_grains(void **state) {
   }
   for (int rough = 0; rough < 2; rough++) {
     asp_wall *wall = wall_from(rough ? "surface sigma 10 rebound walton 0.8 0.3 0 grain lever 0.1"
-                                     : "rebound walton 0.8 0 0 grain lever 0.02");
+                                     : "rebound walton 0.8 0 0 grain lever 0.02",
+                               D);
     aspi_stream stream = aspi_stream_begin(&(asp_key){8, 1, 1, 1, 0});
     for (uint64_t i = 0; i < N; i++) {
       asp_particle particle = {.d_p = D, .density = RHO};
@@ -297,8 +290,8 @@ static void eccentric_grains(void **state) {
 }
 
 /* A grain without spin leaves a wall of any direction, with no more energy. */
-static void eccentric_grains_of_all_walls(void **state) {
-  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
+TEST(eccentric_grains_of_all_walls) {
+  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05", D);
   for (int of = 0; of < 27; of++) {
     double n[3] = {of % 3 - 1, of / 3 % 3 - 1, of / 9 - 1}, v1[3];
     asp_particle particle = {.d_p = D, .density = RHO};
@@ -316,8 +309,8 @@ static void eccentric_grains_of_all_walls(void **state) {
 }
 
 /* The mass of an eccentric grain turns it: a grain without one is refused. */
-static void eccentric_grains_have_a_density(void **state) {
-  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05");
+TEST(eccentric_grains_have_a_density) {
+  asp_wall *wall = wall_from("rebound walton 0.8 0.3 0 grain lever 0.05", D);
   const asp_particle particle = {.d_p = D, .omega = {1, 2, 3}};
   const double v1[3] = {1, 0, -1};
   asp_impact is;
@@ -332,16 +325,5 @@ static void eccentric_grains_have_a_density(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(dumbbells),
-      cmocka_unit_test(a_sphere_is_a_body),
-      cmocka_unit_test(bodies_wear_by_the_mass_that_hits),
-      cmocka_unit_test(the_path_of_routh),
-      cmocka_unit_test(energy_and_momentum),
-      cmocka_unit_test(sticks_as_a_whole),
-      cmocka_unit_test(eccentric_grains),
-      cmocka_unit_test(eccentric_grains_of_all_walls),
-      cmocka_unit_test(eccentric_grains_have_a_density),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

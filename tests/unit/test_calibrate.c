@@ -4,7 +4,7 @@
 #include "check.h"
 #include "analysis/calibrate.h"
 
-static void deposits_are_a_share_of_all(void **state) {
+TEST(deposits_are_a_share_of_all) {
   double xy[4][COR_BOTH] = {{0.1, 0.9}, {0.2, 0.8}, {0.4, 0.6}, {0.5, 0.9}};
   for (size_t deposits = 0; deposits < 13; deposits += 4) {
     const aspi_bin_moments m = aspi_calibration_moments(xy, 4, deposits);
@@ -20,6 +20,5 @@ static void deposits_are_a_share_of_all(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(deposits_are_a_share_of_all)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

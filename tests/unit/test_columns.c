@@ -4,23 +4,16 @@
 #include "base/ledger_columns.h"
 #include "description/description.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+
+#include "check.h"
 
 #define COLUMN(ID, name, type, text) {name, text},
 static const struct {
   const char *name, *text;
 } columns[] = {LEDGER_COLUMNS(COLUMN) LEDGER_MORE_COLUMNS(COLUMN)};
 
-static void page_has_them(void **state) {
-  (void)state;
+TEST(page_has_them) {
   static const char heading[] = "| column | name |";
   const char *path = getenv("ASPERITY_TEST_PAGE");
   assert_non_null(path);
@@ -52,8 +45,7 @@ static bool has_range(const char *page, const char *name, const char *range) {
   return false;
 }
 
-static void pages_have_the_ranges(void **state) {
-  (void)state;
+TEST(pages_have_the_ranges) {
   static char page[1 << 17];
   for (int of_lammps = 0; of_lammps < 2; of_lammps++) {
     char path[4096], range[40];
@@ -74,8 +66,7 @@ static void pages_have_the_ranges(void **state) {
 }
 
 /* The places that scripts, dumps and measurements of years rely on. */
-static void places_stay(void **state) {
-  (void)state;
+TEST(places_stay) {
   assert_int_equal(LEDGER_N_COLUMNS, 19);
   assert_int_equal(LEDGER_ALPHA1, 10);
   assert_int_equal(LEDGER_COR_N, 16);
@@ -83,8 +74,5 @@ static void places_stay(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(page_has_them),
-                                     cmocka_unit_test(pages_have_the_ranges),
-                                     cmocka_unit_test(places_stay)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

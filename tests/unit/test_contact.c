@@ -2,19 +2,13 @@
  * along the path, and the nearest of all triangles, one by one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "contact/contact.h"
 #include "contact/tree.h"
 #include "contact/vector.h"
+
+#include "check.h"
 
 enum { SAMPLES = 2000, CASES = 1000 };
 
@@ -139,7 +133,7 @@ static void check_path(const Wall *w, const ContactPath *path, double radius) {
 }
 
 /* A degenerate triangle is its edges. */
-static void test_paths(void **unused) {
+TEST(test_paths) {
   for (int kind = PLANE; kind <= LINE; kind++)
     for (int i = 0; i < CASES;) {
       Wall w;
@@ -157,7 +151,7 @@ static void test_paths(void **unused) {
 }
 
 /* Paths that graze an edge or a corner: the contact is missed or met, but never late. */
-static void test_grazing(void **unused) {
+TEST(test_grazing) {
   for (int i = 0; i < CASES; i++) {
     Wall w;
     ContactPath path;
@@ -183,7 +177,7 @@ static void test_grazing(void **unused) {
   }
 }
 
-static void test_nearest(void **unused) {
+TEST(test_nearest) {
   for (int i = 0; i < 300; i++) {
     Wall w;
     double x[3], nearest[3];
@@ -198,13 +192,13 @@ static void test_nearest(void **unused) {
   }
 }
 
-static void test_area(void **unused) {
+TEST(test_area) {
   const ContactTriangle right = {{{1, 2, 3}, {1, 4, 3}, {1, 2, 6}}};
   assert_true(fabs(aspi_triangle_area(&right) - 3) < 1e-15);
 }
 
 /* What overlaps already: an approach touches at once and is moved out; what leaves is let go. */
-static void test_overlap(void **unused) {
+TEST(test_overlap) {
   for (int kind = PLANE; kind <= TRIANGLE; kind++)
     for (int i = 0; i < CASES;) {
       Wall w;
@@ -240,7 +234,7 @@ static Wall flat_wall(int kind) {
 }
 
 /* A center on the wall goes back to the side that it comes from. */
-static void test_centered(void **unused) {
+TEST(test_centered) {
   for (int k = 0; k < 4; k++) {
     const double side = k % 2 ? 1 : -1;
     const Wall w = flat_wall(k < 2 ? PLANE : TRIANGLE);
@@ -252,7 +246,7 @@ static void test_centered(void **unused) {
 }
 
 /* At rest, or along the wall, there is none; nor behind the latest time. */
-static void test_none(void **unused) {
+TEST(test_none) {
   for (int k = 0; k < 2; k++) {
     const Wall w = flat_wall(k ? PLANE : TRIANGLE);
     const ContactPath down = {{0, 0, 1.1}, {k ? 5 : 0, 0, -1}, 3};
@@ -267,7 +261,7 @@ static void test_none(void **unused) {
 }
 
 /* A sphere wider than its cylinder is put back on the axis at the end of its path. */
-static void test_wide(void **unused) {
+TEST(test_wide) {
   const ContactCylinder tube = {0, {0, 0, 0}, 1};
   const ContactPath path = {{0, 0.5, 0.1}, {1, -1, 0}, 2};
   ContactTouch touch;
@@ -280,7 +274,7 @@ static void test_wide(void **unused) {
 
 /* A sphere that touches the inside and slides along it touches at time 0, also where rounding turns
  * it inward a little; one that turns inward more flies to the other side. */
-static void test_sliding(void **unused) {
+TEST(test_sliding) {
   const ContactCylinder tube = {2, {0, 0, 0}, 5};
   const double inward[] = {0, 5e-7, 1e-3};
   for (int k = 0; k < 3; k++) {
@@ -338,7 +332,7 @@ static void check_clear(const ContactTree *tree, int round) {
 
 /* What flies along a triangle that is aslant to the axes, or past one of its edges, is clear of it
  * for all of its way, though within its box. */
-static void test_along(void **unused) {
+TEST(test_along) {
   const ContactTriangle triangle = {{{0, 0, 0}, {3, 1, 2}, {-1, 4, 3}}};
   const int id = 0;
   ContactTree *tree = aspi_tree_create(&triangle, &id, 1);
@@ -366,7 +360,7 @@ static void test_along(void **unused) {
   aspi_tree_free(tree);
 }
 
-static void test_tree(void **unused) {
+TEST(test_tree) {
   for (int count = 0; count <= 3000; count = 3 * count + 1) {
     ContactTriangle *triangles = calloc((size_t)count + 1, sizeof *triangles);
     int *id = calloc((size_t)count + 1, sizeof *id);
@@ -443,8 +437,7 @@ static void test_tree(void **unused) {
 
 /* Points on the edges and at the nodes of a plane of squares, to rounding, are over one of its
  * triangles: what rests there does not fall between them. */
-static void test_edges(void **unused) {
-  (void)unused;
+TEST(test_edges) {
   for (int i = 0; i < 20000; i++) {
     double corner[3], sides[2][3], x[3], n[3], height;
     random_vector(1, corner);
@@ -465,13 +458,5 @@ static void test_edges(void **unused) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_paths),    cmocka_unit_test(test_grazing),
-      cmocka_unit_test(test_nearest),  cmocka_unit_test(test_overlap),
-      cmocka_unit_test(test_centered), cmocka_unit_test(test_none),
-      cmocka_unit_test(test_wide),     cmocka_unit_test(test_sliding),
-      cmocka_unit_test(test_along),    cmocka_unit_test(test_tree),
-      cmocka_unit_test(test_area),     cmocka_unit_test(test_edges),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -28,8 +28,7 @@ static void check_text(const char *text, const char *canonical) {
   asp_description_free(wall);
 }
 
-static void canonical_texts(void **state) {
-  (void)state;
+TEST(canonical_texts) {
   check_text("", "surface smooth rebound bons deposit freeze seed 1");
   check_text("surface rq 15.6um lambda_c 120um rebound bons friction 0.4 materials quartz "
              "hastelloy-x",
@@ -83,8 +82,7 @@ static void canonical_texts(void **state) {
 }
 
 /* What instruments print becomes rq and lambda_c, by closed forms; R_Sm by its table. */
-static void instruments_are_understood(void **state) {
-  (void)state;
+TEST(instruments_are_understood) {
   static const struct {
     const char *text;
     double r_q, lambda_c;
@@ -114,8 +112,7 @@ static void instruments_are_understood(void **state) {
 }
 
 /* A text that does not fit is cut, and its length returned. */
-static void short_room(void **state) {
-  (void)state;
+TEST(short_room) {
   char text[12];
   asp_description *wall = parse("", &si);
   size_t length = asp_description_text(wall, NULL, 0);
@@ -265,8 +262,7 @@ static void check_same(const asp_description *x, const asp_description *y) {
   assert_true(!x->file == !y->file && (!x->file || strcmp(x->file, y->file) == 0));
 }
 
-static void texts_go_round(void **state) {
-  (void)state;
+TEST(texts_go_round) {
   char text[1500], first[1500], second[1500];
   srand(1);
   for (int i = 0; i < 3000; i++) {
@@ -296,8 +292,7 @@ static void refuses(const char *text, const char *first, const char *second) {
   assert_non_null(strstr(error.text, second));
 }
 
-static void slips_are_named(void **state) {
-  (void)state;
+TEST(slips_are_named) {
   refuses("surfaces smooth", "'surfaces'", "did you mean 'surface'?");
   refuses("seed 1 fricton 0.3", "'fricton'", "did you mean 'friction'?");
   refuses("surface rq 1 lambda_c 10 spread wiebull", "'wiebull'", "did you mean 'weibull'?");
@@ -314,8 +309,7 @@ static void slips_are_named(void **state) {
   refuses("materials quartz 0.4", "'0.4' is unknown", "friction");
 }
 
-static void misplaced_words_are_sent_home(void **state) {
-  (void)state;
+TEST(misplaced_words_are_sent_home) {
   refuses("sigma 5", "'sigma' belongs behind 'surface'", "surface sigma ANGLE");
   refuses("surface sigma 5 collisions single", "'collisions' belongs behind 'spread'",
           "spread MODEL collisions");
@@ -334,8 +328,7 @@ static void misplaced_words_are_sent_home(void **state) {
 }
 
 /* Each names the thing, its value and what it must be. */
-static void heat_is_refused(void **state) {
-  (void)state;
+TEST(heat_is_refused) {
   refuses("deposit off viscosity critical 1e4 vft -4 5000 300", "'viscosity' has no effect",
           "deposit off");
   refuses("deposit freeze viscosity critical 0 vft -4 5000 300", "critical is 0", "> 0");
@@ -357,8 +350,7 @@ static void heat_is_refused(void **state) {
   refuses("rebound walton 0.9 0.3 0 temperature 1300", "'temperature' has no effect", "viscosity");
 }
 
-static void words_are_given_once(void **state) {
-  (void)state;
+TEST(words_are_given_once) {
   refuses("surface sigma 5 spread visible plane isotropic", "'plane' and 'isotropic'", "one");
   refuses("surface sigma 5 spread visible plane plane", "'plane' is given twice", "");
   refuses("surface sigma 5 spread visible collisions single collisions multiple",
@@ -370,8 +362,7 @@ static void words_are_given_once(void **state) {
   refuses("deposit freeze remove u_tau 1 u_tau 2 gas_density 1", "'u_tau' is given twice", "");
 }
 
-static void bad_values_are_named(void **state) {
-  (void)state;
+TEST(bad_values_are_named) {
   refuses("surface ra 3.2um rdq 10", "a slope of 84 degrees", "say 10deg?");
   refuses("surface sq 5um sal 1um", "at most 1", "");
   refuses("surface rz 30um", "surface is 'rz'", "ra R");
@@ -431,8 +422,7 @@ static void bad_values_are_named(void **state) {
   refuses("surface profile 'a", "quote", "no end");
 }
 
-static void what_has_no_effect_is_refused(void **state) {
-  (void)state;
+TEST(what_has_no_effect_is_refused) {
   refuses("surface profile p.csv spread profile", "spread is 'profile'", "'spread traced'");
   refuses("rebound walton 0.9 0.3 0 surface_energy 1", "'surface_energy' has no effect", "walton");
   refuses("rebound walton 0.9 0.3 0 yield_stress 1", "'yield_stress' has no effect", "walton");
@@ -463,8 +453,7 @@ static void what_has_no_effect_is_refused(void **state) {
 /* ---- units ---- */
 
 /* A unit of its own, and the caller's: the same wall; what is in SI alone needs units. */
-static void units_are_converted(void **state) {
-  (void)state;
+TEST(units_are_converted) {
   asp_description *a =
       parse("surface rq 5um lambda_c 40um yield_stress 200MPa surface_energy 0.8J/m2 "
             "materials quartz steel deposit freeze remove u_tau 2m/s gas_density 1kg/m3 "
@@ -492,8 +481,7 @@ static void units_are_converted(void **state) {
 }
 
 /* A caller's own words end a list of materials, and are left to him. */
-static void own_words_are_left(void **state) {
-  (void)state;
+TEST(own_words_are_left) {
   static const char *const words[] = {"materials", "quartz", "steel", "ledger", "10"},
                            *const slip[] = {"leger", "10"};
   asp_error error;
@@ -511,8 +499,7 @@ static void own_words_are_left(void **state) {
 /* ---- what is made of it ---- */
 
 /* sigma is that of any particle, and so is the tilt. */
-static void sigma_knows_no_size(void **state) {
-  (void)state;
+TEST(sigma_knows_no_size) {
   asp_description *description = parse("surface sigma 8 rebound constant 1 1", &micro);
   asp_wall *wall = asp_wall_create(description, 0, 0, NULL);
   assert_non_null(wall);
@@ -523,8 +510,7 @@ static void sigma_knows_no_size(void **state) {
 }
 
 /* Defaults of a pair: those of the library are those of the fix. */
-static void pairs_have_defaults(void **state) {
-  (void)state;
+TEST(pairs_have_defaults) {
   asp_description *wall = parse("materials quartz hastelloy-x", &micro);
   const asp_material *p = asp_description_material(wall, 0), *w = asp_description_material(wall, 1);
   asp_pair *pair = asp_description_pair(wall, p, w, NULL);
@@ -574,8 +560,7 @@ static void doubts(char text[1500], const char *description, double d_p, double 
   asp_description_free(wall);
 }
 
-static void odd_constants_are_doubted(void **state) {
-  (void)state;
+TEST(odd_constants_are_doubted) {
   char text[1500];
   doubts(text, "", 20e-6, 2650, 70e9);
   assert_string_equal(text, "");
@@ -626,8 +611,7 @@ static void odd_constants_are_doubted(void **state) {
 }
 
 /* A number that is not set is none, until it is. */
-static void unset_is_no_number(void **state) {
-  (void)state;
+TEST(unset_is_no_number) {
   static const char *const names[] = {"lever",    "dp_bins",        "density",  "u_tau",
                                       "adhesion", "gas_viscosity",  "lambda_c", "rq",
                                       "friction", "adhesion_spread"};
@@ -647,8 +631,7 @@ static void unset_is_no_number(void **state) {
 }
 
 /* What needs no material: numbers that are probably in another unit. */
-static void odd_numbers_are_doubted(void **state) {
-  (void)state;
+TEST(odd_numbers_are_doubted) {
   static const char *const all[][3] = {
       /* the doubt without a diameter, and with one */
       {"surface rq 5 lambda_c 40", "rq is 5, which is 5 m", "rq is 5 m, 5e+05 times the diameter"},
@@ -707,8 +690,7 @@ static void check_fit(const char *text, const char *canonical) {
   asp_description_free(wall);
 }
 
-static void numbers_may_be_unknown(void **state) {
-  (void)state;
+TEST(numbers_may_be_unknown) {
   refuses("surface sigma fit", "sigma is 'fit'", "must be a number");
   refuses("friction fit=0.2", "friction is 'fit=0.2'", "must be a number");
   check_fit("surface sigma fit friction fit yield_stress fit=200MPa",
@@ -742,8 +724,7 @@ static void numbers_may_be_unknown(void **state) {
 }
 
 /* What is set is known, and the surface and its text follow. */
-static void unknown_numbers_are_set(void **state) {
-  (void)state;
+TEST(unknown_numbers_are_set) {
   char is[1000];
   asp_error error;
   asp_description *wall = parse_fit("surface sigma fit rebound walton fit 0.1 0 seed 7", &error);
@@ -770,8 +751,7 @@ static void unknown_numbers_are_set(void **state) {
 }
 
 /* A measured wall says where its points are too few for a sphere. */
-static void coarse_files_are_doubted(void **state) {
-  (void)state;
+TEST(coarse_files_are_doubted) {
   asp_error error;
   asp_heights *profile = aspi_profile_generate(1e-6, 20e-6, 1e-6, 4096, 1, NULL);
   static const double z[16] = {0};
@@ -796,8 +776,7 @@ static void coarse_files_are_doubted(void **state) {
 }
 
 /* A wall whose file cannot be read gives the code of its error. */
-static void files_that_fail_have_their_code(void **state) {
-  (void)state;
+TEST(files_that_fail_have_their_code) {
   const char *const files[] = {"missing.csv", "words.csv"};
   const asp_code codes[] = {ASP_EFILE, ASP_EDATA};
   FILE *stream = fopen(files[1], "w");
@@ -814,8 +793,7 @@ static void files_that_fail_have_their_code(void **state) {
 }
 
 /* The log's lines: of the surface, and of the speeds at which particles yield and stick. */
-static void walls_are_reported(void **state) {
-  (void)state;
+TEST(walls_are_reported) {
   asp_description *d = parse("surface rq 5um lambda_c 40um 90um lay 1 0 0 materials quartz 304-ss "
                              "rebound bons temperature 1200",
                              NULL);
@@ -854,29 +832,5 @@ static void walls_are_reported(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(files_that_fail_have_their_code),
-      cmocka_unit_test(canonical_texts),
-      cmocka_unit_test(instruments_are_understood),
-      cmocka_unit_test(misplaced_words_are_sent_home),
-      cmocka_unit_test(heat_is_refused),
-      cmocka_unit_test(words_are_given_once),
-      cmocka_unit_test(unset_is_no_number),
-      cmocka_unit_test(odd_numbers_are_doubted),
-      cmocka_unit_test(short_room),
-      cmocka_unit_test(texts_go_round),
-      cmocka_unit_test(slips_are_named),
-      cmocka_unit_test(bad_values_are_named),
-      cmocka_unit_test(what_has_no_effect_is_refused),
-      cmocka_unit_test(units_are_converted),
-      cmocka_unit_test(own_words_are_left),
-      cmocka_unit_test(sigma_knows_no_size),
-      cmocka_unit_test(pairs_have_defaults),
-      cmocka_unit_test(odd_constants_are_doubted),
-      cmocka_unit_test(coarse_files_are_doubted),
-      cmocka_unit_test(numbers_may_be_unknown),
-      cmocka_unit_test(unknown_numbers_are_set),
-      cmocka_unit_test(walls_are_reported),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

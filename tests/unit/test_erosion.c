@@ -4,15 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "erosion/laws.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "check.h"
 
 /* One impact on a wall of these words, at v under alpha (degrees), of a grain of diameter d. */
 static double worn(const char *words, const asp_units *units, double v, double alpha, double d,
@@ -34,12 +26,9 @@ static double worn(const char *words, const asp_units *units, double v, double a
 
 #define WALTON " rebound walton 0.9 0.3 0 "
 
-static void is_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance * fabs(expected)))
-    fail_msg("%.15g is not %.15g", value, expected);
-}
+#define is_near(value, expected, tolerance) assert_near(value, expected, (tolerance)*fabs(expected))
 
-static void laws_have_their_closed_forms(void **state) {
+TEST(laws_have_their_closed_forms) {
   const double a = 10 * ASP_PI / 180, b = 60 * ASP_PI / 180;
   const char *finnie = "erosion finnie 1GPa density 7800" WALTON;
   is_near(worn(finnie, NULL, 50, 10, 1e-4, 1),
@@ -50,19 +39,16 @@ static void laws_have_their_closed_forms(void **state) {
           1e-9);
   is_near(worn("erosion finnie 1GPa share 0.1 density 7800" WALTON, NULL, 50, 60, 1e-4, 1),
           0.1 * 7800 * 2500 / 4e9 * cos(b) * cos(b) / 3, 1e-12);
-  is_near(worn("erosion dnv" WALTON, NULL, 30, 60, 1e-4, 1),
-          2e-9 * pow(30, 2.6) * 0.6 * pow(sin(b) + 7.2 * (sin(b) - 0.75), 0.6) * (1 - exp(-20 * b)),
-          1e-12);
+  is_near(worn("erosion dnv" WALTON, NULL, 30, 60, 1e-4, 1), 2e-9 * pow(30, 2.6) * 0.8253466255,
+          1e-9); /* F by hand */
   is_near(worn("erosion ecrc 120 grains semi_rounded" WALTON, NULL, 30, 10, 1e-4, 1),
-          2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) *
-              (5.4 * a - 10.11 * a * a + 10.93 * pow(a, 3) - 6.33 * pow(a, 4) + 1.42 * pow(a, 5)),
-          1e-12);
+          2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) * 0.6869760235, 1e-9); /* F by hand */
 }
 
 /* At its reference speed and diameter a law of Oka is K (a H)^(k1 b) at normal impact, where
  * manuals list (a H)^-b as 3, 10 and 1000; and a published set of another form: 6.154e-4 kg/kg
  * there, with n1 0.8 and n2 1.3. */
-static void oka_has_its_reference(void **state) {
+TEST(oka_has_its_reference) {
   const double h = 1.8, sine = sin(ASP_PI / 6);
   const char *own = "erosion oka 1.8GPa density 7850" WALTON;
   is_near(worn(own, NULL, 104, 90, 326e-6, 1), 65 * pow(3, 0.12) * 1e-9 * 7850, 1e-12);
@@ -86,7 +72,7 @@ static void oka_has_its_reference(void **state) {
 }
 
 /* The constants of each kind of particles, and of each form of grains, away from the references. */
-static void kinds_have_their_constants(void **state) {
+TEST(kinds_have_their_constants) {
   static const struct {
     const char *name;
     double k, k1, k2, k3, v, d, n1, n2;
@@ -94,7 +80,7 @@ static void kinds_have_their_constants(void **state) {
                {"sio2", 65, -0.12, 2.361388, 0.19, 104, 326e-6, 0.7823526, 1.2509589},
                {"sic", 45, -0.05, 3.182063, 0.19, 99, 326e-6, 0.7823526, 1.4},
                {"glass", 27, -0.16, 2.1, 0.19, 100, 200e-6, 3.7203203, 0.9450821}};
-  const double sine = sin(25 * ASP_PI / 180), a = 25 * ASP_PI / 180;
+  const double sine = sin(25 * ASP_PI / 180);
   for (int i = 0; i < 3; i++) {
     char words[100];
     snprintf(words, sizeof words, "erosion oka 2GPa particles %s density 7850" WALTON,
@@ -111,13 +97,11 @@ static void kinds_have_their_constants(void **state) {
     char words[100];
     snprintf(words, sizeof words, "erosion ecrc 150 grains %s density 7800" WALTON, forms[i]);
     is_near(worn(words, NULL, 20, 25, 1e-4, 1),
-            2.17e-7 * pow(150, -0.59) * sharpness[i] * pow(20, 2.41) *
-                (5.4 * a - 10.11 * a * a + 10.93 * pow(a, 3) - 6.33 * pow(a, 4) + 1.42 * pow(a, 5)),
-            1e-12);
+            2.17e-7 * pow(150, -0.59) * sharpness[i] * pow(20, 2.41) * 1.132380882, 1e-9);
   }
 }
 
-static void units_do_not_matter(void **state) {
+TEST(units_do_not_matter) {
   static const asp_units cgs = {"cgs", 100, 1000, 1, {0}};
   const char *words[] = {"erosion oka 1.8GPa density 7850kg/m3" WALTON,
                          "erosion finnie 800MPa density 7850kg/m3" WALTON};
@@ -127,7 +111,7 @@ static void units_do_not_matter(void **state) {
 
 /* On a smooth wall both are the same; on a rough one the mean wall gives each impact its angle, the
  * faces a scatter, and at grazing incidence more wear. */
-static void faces_wear_more_at_grazing(void **state) {
+TEST(faces_wear_more_at_grazing) {
   const char *mean = "erosion dnv density 7800 face mean" WALTON,
              *tilted = "erosion dnv density 7800 face tilted" WALTON;
   is_near(worn(tilted, NULL, 30, 20, 1e-4, 1), worn(mean, NULL, 30, 20, 1e-4, 1), 1e-12);
@@ -142,7 +126,7 @@ static void faces_wear_more_at_grazing(void **state) {
   assert_true(sum / 400 > 1.2 * smooth);
 }
 
-static void words_are_checked(void **state) {
+TEST(words_are_checked) {
   static const char *const bad[][2] = {
       {"erosion oka 1GPa" WALTON, "density"},
       {"erosion dnc density 7800" WALTON, "dnv"},
@@ -161,7 +145,7 @@ static void words_are_checked(void **state) {
 }
 
 /* The density in the words goes before that of the wall's material, which serves without one. */
-static void density_is_that_of_the_wall(void **state) {
+TEST(density_is_that_of_the_wall) {
   const double cosine = cos(60 * ASP_PI / 180), volume = 2500 / 4e9 * cosine * cosine / 3;
   asp_error error;
   asp_description *words = asp_description_parse("materials quartz 304-ss", NULL, &error);
@@ -176,7 +160,7 @@ static void density_is_that_of_the_wall(void **state) {
 }
 
 /* The canonical text gives the same wall. */
-static void text_comes_back(void **state) {
+TEST(text_comes_back) {
   static const char *const texts[] = {
       "erosion oka 1.8GPa particles sic n1 0.8 density 7850 face tilted" WALTON,
       "erosion oka 0.4GPa wall aluminum a_b 2 -3 density 2700" WALTON,
@@ -197,15 +181,5 @@ static void text_comes_back(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(laws_have_their_closed_forms),
-      cmocka_unit_test(oka_has_its_reference),
-      cmocka_unit_test(kinds_have_their_constants),
-      cmocka_unit_test(units_do_not_matter),
-      cmocka_unit_test(faces_wear_more_at_grazing),
-      cmocka_unit_test(density_is_that_of_the_wall),
-      cmocka_unit_test(words_are_checked),
-      cmocka_unit_test(text_comes_back),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -32,8 +32,7 @@ static double share_of_long(double cutoff, double wave) {
   return exp2(-(cutoff / wave) * (cutoff / wave));
 }
 
-static void waves_pass_by_their_length(void **state) {
-  (void)state;
+TEST(waves_pass_by_their_length) {
   static const double cases[] = {8, 16, 80, 800};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     set_waves();
@@ -43,8 +42,7 @@ static void waves_pass_by_their_length(void **state) {
   }
 }
 
-static void length_must_fit_the_profile(void **state) {
-  (void)state;
+TEST(length_must_fit_the_profile) {
   static const double cases[] = {0.9, 8001};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     asp_error error;
@@ -55,9 +53,5 @@ static void length_must_fit_the_profile(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(waves_pass_by_their_length),
-      cmocka_unit_test(length_must_fit_the_profile),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

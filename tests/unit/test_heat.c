@@ -9,16 +9,8 @@
 
 static const double up[3] = {0, 0, 1};
 
-static asp_wall *wall_of(const char *text) {
-  asp_error error;
-  asp_wall *wall = asp_wall_from_text(text, 0, 0, &error);
-  if (!wall)
-    fail_msg("%s: %s", text, error.text);
-  return wall;
-}
-
 static double share_of(const char *text, double kelvin) {
-  asp_wall *wall = wall_of(text);
+  asp_wall *wall = wall_from(text, 0);
   double share;
   assert_int_equal(asp_wall_sticking(wall, kelvin, &share, NULL), ASP_OK);
   asp_wall_free(wall);
@@ -28,8 +20,7 @@ static double share_of(const char *text, double kelvin) {
 /* By hand: vft at 1300 K 10^(-4.5 + 9000/800) = 10^6.75 Pa s. Watt & Fereday for
  * 36, 20.8, 4.9, 13.3 and 25 %: m 0.316608, c -1.6786; at 1250 K 10^(4.6310 - 1.6786 - 1) Pa s. A
  * table in between. */
-static void shares_by_hand(void **state) {
-  (void)state;
+TEST(shares_by_hand) {
   const char *vft = "rebound walton 0.8 0.3 0 deposit freeze viscosity vft -4.5 9000 500 critical";
   const char *watt = "rebound walton 0.8 0.3 0 deposit freeze viscosity critical 10 watt";
   char text[200];
@@ -51,7 +42,7 @@ static void shares_by_hand(void **state) {
   snprintf(text, sizeof text, "%s viscosity.csv", words);
   assert_near(share_of(text, 1150), 1e-7, 1e-15);
   assert_near(share_of(text, 1400), 1e-3, 1e-12);
-  asp_wall *wall = wall_of(text);
+  asp_wall *wall = wall_from(text, 0);
   asp_error error;
   for (double kelvin = 1099; kelvin < 1500; kelvin += 302) {
     assert_int_equal(asp_wall_sticking(wall, kelvin, NULL, &error), ASP_ERANGE);
@@ -91,8 +82,7 @@ static int count_stuck(const asp_wall *wall, const asp_wall *cold, double kelvin
   return stuck;
 }
 
-static void sticks_with_that_share(void **state) {
-  (void)state;
+TEST(sticks_with_that_share) {
   static const char *const walls[] = {
       "rebound walton 0.8 0.3 0", "surface rq 5e-6 lambda_c 40e-6 rebound walton 0.8 0.3 0",
       "surface rq 5e-6 lambda_c 40e-6 rebound bons materials quartz hastelloy-x surface_energy 0"};
@@ -103,7 +93,7 @@ static void sticks_with_that_share(void **state) {
     for (int k = 0; k < 4; k++) {
       snprintf(text, sizeof text, "%s deposit freeze viscosity critical 1e4 vft -4.5 9000 500",
                walls[w]);
-      asp_wall *hot = wall_of(text), *cold = wall_of(walls[w]);
+      asp_wall *hot = wall_from(text, 0), *cold = wall_from(walls[w], 0);
       const double kelvin = 1350 + 50 * k, p = fmin(1, pow(10, 8.5 - 9000 / (kelvin - 500)));
       const int stuck = count_stuck(hot, cold, kelvin, k % 2 ? 0.1 : 1.5, k == 1 ? &body : NULL);
       assert_near(stuck, IMPACTS * p, 4 * sqrt(IMPACTS * p * (1 - p)) + 0.5);
@@ -113,11 +103,11 @@ static void sticks_with_that_share(void **state) {
 }
 
 /* The particle keeps its velocity, and the code says why. */
-static void unknown_is_an_error(void **state) {
-  (void)state;
+TEST(unknown_is_an_error) {
   asp_wall *wall =
-      wall_of("rebound walton 0.8 0.3 0 deposit freeze viscosity critical 1e4 vft -4.5 "
-              "9000 500");
+      wall_from("rebound walton 0.8 0.3 0 deposit freeze viscosity critical 1e4 vft -4.5 "
+                "9000 500",
+                0);
   const asp_key key = {1, 2, 3, 4, 0};
   const double v[3] = {1, 0, -1}, none[] = {0, 400};
   asp_impact impact;
@@ -154,8 +144,7 @@ static double work_of_adhesion(double gamma) {
  * contact of Hertz that adheres by its largest area with the energy 0.34 v^0.5 (SI): (1/2) m v^2 =
  * 0.34 v^0.5 A(v). With that energy the contact above has the same speed but for the area's path:
  * 0.83 of it. */
-static void modulus_of_el_batsh(void **state) {
-  (void)state;
+TEST(modulus_of_el_batsh) {
   static const double kelvin[] = {1000, 1100, 1200, 1300, 1400, 1500};
   const double d = 1e-5, rho = 2650, nu = 0.27, r = d / 2, mass = rho * ASP_PI / 6 * d * d * d;
   for (int i = 0; i < 6; i++) {
@@ -199,8 +188,5 @@ static void modulus_of_el_batsh(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(shares_by_hand), cmocka_unit_test(sticks_with_that_share),
-      cmocka_unit_test(unknown_is_an_error), cmocka_unit_test(modulus_of_el_batsh)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -5,17 +5,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/step/held.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
 #include "contact/vector.h"
 
-extern "C" { /* behind the others: it has macros that are names of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 
@@ -103,7 +95,7 @@ int run(int contacts, bool moving, double friction) {
 
 /* One contact: always; two and three: nearly always, where the walls leave room. Among walls that
  * close, friction may leave no solution. */
-void is_a_solution(void **) {
+TEST(is_a_solution) {
   const double friction[4] = {0, 0.1, 0.5, 2};
   const int two_moving[4] = {1990, 1978, 1865, 1625}, three_moving[4] = {1955, 1910, 1665, 1290};
   for (int moving = 0; moving < 2; moving++)
@@ -119,7 +111,7 @@ void is_a_solution(void **) {
 }
 
 /* In a narrow V each side carries half of the weight, whatever the friction. */
-void narrow_places_carry(void **) {
+TEST(narrow_places_carry) {
   const double radius = 0.3, mass = 1;
   const int one = 1;
   Spheres spheres = Spheres();
@@ -157,7 +149,7 @@ void rates(const double inertia[3], const double momentum[3], const double axes[
 }
 
 /* A free body of any moments turns as small steps by the rule of Runge and Kutta have it. */
-void turns_freely(void **) {
+TEST(turns_freely) {
   const double momentum[3] = {0.3, -1.1, 0.7};
   static const double inertia[][3] = {{1, 1, 2},      {2, 1, 1},   {0, 1, 1},
                                       {1, 1.01, 0.4}, {1, 1.5, 2}, {0.4, 1, 1.3}};
@@ -186,7 +178,7 @@ void turns_freely(void **) {
 }
 
 /* A body is a ball if it is one sphere about its center of mass with the moments of one. */
-void balls_are_found(void **) {
+TEST(balls_are_found) {
   const double mass = 2, radius = 0.3, of_ball = 0.4 * mass * radius * radius;
   for (int k = 0; k < 4; k++) {
     Bodies bodies;
@@ -207,8 +199,5 @@ void balls_are_found(void **) {
 } // namespace
 
 int main() {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(is_a_solution), cmocka_unit_test(narrow_places_carry),
-      cmocka_unit_test(turns_freely), cmocka_unit_test(balls_are_found)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

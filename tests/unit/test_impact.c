@@ -46,7 +46,7 @@ static const asp_pair quartz_on_nickel = {54.8e9, 200e6, 0.8, 0.3, 0, 0, 0};
 static const asp_particle grain = {.d_p = 1e-5, .density = 2650, .pair = &quartz_on_nickel};
 static const double up[3] = {0, 0, 1};
 
-static void smooth_wall_is_the_law(void **state) {
+TEST(smooth_wall_is_the_law) {
   setup s = setup_create("none", "bons", 0);
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   for (double alpha = 0.1; alpha < 1.57; alpha += 0.1) {
@@ -79,7 +79,7 @@ static double bounces_with(const asp_wall *wall, uint32_t name, uint64_t tag, ui
  * Y/sqrt(rho E) from a plastic impact, with a rate 100 A/sqrt(rho E), so that speeds are log-normal
  * with the sd of the logarithm that is given; `thornton_ning` by Y^(5/8) well above yield (their
  * eq. 80: e by (v_y/v)^(1/4), v_y by Y^(5/2)). */
-static void a_grain_keeps_its_yield_stress(void **state) {
+TEST(a_grain_keeps_its_yield_stress) {
   enum { N = 4000 };
 #define DUST "materials quartz hastelloy-x "
   static const struct {
@@ -108,7 +108,7 @@ static void a_grain_keeps_its_yield_stress(void **state) {
 /* Arrivals and removal have one adhesion: a grain sticks below v_a = (6 f' gamma (a + b)/(rho
  * d))^(1/2), and is held by 3 pi gamma r f', so one that sticks at a higher speed is let go at a
  * lower rate. */
-static void a_grain_keeps_its_adhesion(void **state) {
+TEST(a_grain_keeps_its_adhesion) {
   static const char words[] = "materials quartz hastelloy-x adhesion 0.1 adhesion_spread 3 deposit "
                               "freeze remove u_tau 0.5 gas_density 1.2 gas_viscosity 1.5e-5";
   asp_wall *wall = asp_wall_from_text(words, 0, 0, NULL);
@@ -134,7 +134,7 @@ static void a_grain_keeps_its_adhesion(void **state) {
 }
 
 /* A specular face tilted by delta turns the rebound by twice that: alpha2 = alpha1 + 2 delta. */
-static void specular_rebound_turns_by_twice_the_tilt(void **state) {
+TEST(specular_rebound_turns_by_twice_the_tilt) {
   setup s = setup_create("truncated", "constant", 0.2);
   for (uint64_t tag = 0; tag < 10000; tag++) {
     double alpha = (0.5 + (double)(tag % 179)) * M_PI / 360;
@@ -152,7 +152,7 @@ static void specular_rebound_turns_by_twice_the_tilt(void **state) {
 }
 
 /* Turning wall and velocity together turns the result. */
-static void frame_does_not_matter(void **state) {
+TEST(frame_does_not_matter) {
   setup s = setup_create("weibull", "bons", 0.2);
   s.choice.isotropic = true;
   remake(&s);
@@ -180,7 +180,7 @@ static void frame_does_not_matter(void **state) {
 }
 
 /* The out-of-plane tilt is positive along b = n x t, and its slope is normal with sd s_eff. */
-static void out_of_plane_tilt(void **state) {
+TEST(out_of_plane_tilt) {
   enum { N = 100000 };
   setup s = setup_create("weibull", "constant", 0.2);
   s.choice.isotropic = true;
@@ -199,7 +199,7 @@ static void out_of_plane_tilt(void **state) {
 }
 
 /* At normal impact the rebound has no preferred direction. */
-static void normal_impact_is_isotropic(void **state) {
+TEST(normal_impact_is_isotropic) {
   enum { N = 100000 };
   setup s = setup_create("truncated", "constant", 0.3);
   double x = 0, y = 0, xx = 0, yy = 0, v1[3] = {0, 0, -1};
@@ -219,7 +219,7 @@ static void normal_impact_is_isotropic(void **state) {
   setup_free(&s);
 }
 
-static void no_deposits_where_none_are_taken(void **state) {
+TEST(no_deposits_where_none_are_taken) {
   setup s = setup_create("none", "bons", 0);
   asp_particle small = {.d_p = 1e-7, .density = 2650, .pair = &quartz_on_nickel};
   double v1[3] = {1, 0, -1};
@@ -238,7 +238,7 @@ static void no_deposits_where_none_are_taken(void **state) {
 }
 
 /* A law that returns nothing, on a wall without deposits: the particle slides and does not sink. */
-static void sliding(void **state) {
+TEST(sliding) {
   setup s = setup_create("none", "constant", 0);
   assert_true(set_parameter(&s.choice, "cor_n", 0));
   s.choice.deposit = false;
@@ -252,7 +252,7 @@ static void sliding(void **state) {
 }
 
 /* Nearly normal, and with a normal of nearly unit length, a specular rebound keeps its energy. */
-static void nearly_normal_impacts_keep_energy(void **state) {
+TEST(nearly_normal_impacts_keep_energy) {
   setup s = setup_create("normal", "constant", 0.2);
   double length = 1 + 1e-6, n[3] = {0.36 * length, 0.48 * length, 0.8 * length};
   for (uint64_t tag = 0; tag < 2000; tag++) {
@@ -265,7 +265,7 @@ static void nearly_normal_impacts_keep_energy(void **state) {
 }
 
 /* A particle that does not approach goes on as it came; a grazing one leaves for good. */
-static void grazing_to_the_last_bit(void **state) {
+TEST(grazing_to_the_last_bit) {
   for (int rough = 0; rough < 2; rough++) {
     setup s = setup_create(rough ? "truncated" : "none", "constant", 0.2);
     for (int i = -3; i <= 3; i++) {
@@ -280,7 +280,7 @@ static void grazing_to_the_last_bit(void **state) {
 }
 
 /* No face lies exactly along a flight, where rounding would say if it is hit. */
-static void faces_are_hit_or_not(void **state) {
+TEST(faces_are_hit_or_not) {
   setup s = setup_create("traced", "constant", 0.6);
   s.choice.multiple = true;
   remake(&s);
@@ -300,7 +300,7 @@ static void faces_are_hit_or_not(void **state) {
 
 /* What a particle that stays loses per face. Small slopes p with E p = s sqrt(pi/2), E p^2 = 2 s^2:
  * its approach is p alone, or where both sides of a trough touch, the sum of two. */
-static void kinks_turn_by_both_sides(void **state) {
+TEST(kinks_turn_by_both_sides) {
   enum { N = 40000 };
   setup s = setup_create("visible", "constant", 0.02);
   assert_true(set_parameter(&s.choice, "cor_n", 0.5) && set_parameter(&s.choice, "cor_t", 1));
@@ -332,7 +332,7 @@ static bool grazes(const asp_wall *wall, const asp_particle *particle, double pr
 /* A particle pressed by a share b of what holds it on a crest, a sine of slope p, flies a parabola
  * to that sine, in phases u = k x: 1 - cos u = b u^2/2, where it comes down with p |sin u - b u|.
  * One that is pressed more stays. The law's first-hit slope is p, and no flight meets more. */
-static void loose_particles_fly_to_the_next_face(void **state) {
+TEST(loose_particles_fly_to_the_next_face) {
   setup s = setup_create("visible", "constant", 0.02);
   const double v = 10, k = sqrt(6);
   asp_particle small = grain;
@@ -363,7 +363,7 @@ static void loose_particles_fly_to_the_next_face(void **state) {
  * eigenvalue over 1: of that along the way, a, with Rayleigh's law, that across, with the mean a/3
  * and the variance 8/9, and the mixed one, with the variance 1/3. The share of kinks by quadrature;
  * no pressed particle meets anything else. */
-static void kinks_of_surfaces_have_their_share(void **state) {
+TEST(kinks_of_surfaces_have_their_share) {
   enum { N = 20000, CELLS = 400 };
   setup s = setup_create("visible", "constant", 0.02);
   s.choice.isotropic = true;
@@ -390,7 +390,7 @@ static void kinks_of_surfaces_have_their_share(void **state) {
 }
 
 /* A particle without a pair gets that of the wall; many impacts are as many single ones. */
-static void many_impacts_are_single_ones(void **state) {
+TEST(many_impacts_are_single_ones) {
   enum { N = 500 };
   asp_error error;
   static double v1[3 * N], n[3 * N];
@@ -430,7 +430,7 @@ static void many_impacts_are_single_ones(void **state) {
 
 /* Without materials a law that takes them has no rebound, and no wall is made unless particles are
  * to come with theirs. */
-static void a_pair_is_needed(void **state) {
+TEST(a_pair_is_needed) {
   asp_error error;
   asp_description *words = asp_description_parse("", NULL, NULL);
   assert_null(asp_wall_create(words, 0, 0, &error));
@@ -457,7 +457,7 @@ static const aspi_cor_point coefficients[] = {
 
 /* Random walls, every model with every law, random particles and impacts: the outcome is finite,
  * leaves the wall or stays on it, and has no more energy than before. */
-static void properties(void **state) {
+TEST(properties) {
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   int models = asp_spread_count(), laws = asp_rebound_count();
   aspi_cor_table *table = aspi_cor_table_create(coefficients, 4, NULL);
@@ -507,7 +507,7 @@ static void properties(void **state) {
 
 /* What would be divided by no more than rounding is not there: along the wall, where the last bits
  * of a product of vectors may send a particle into it or off it, and along the normal. */
-static void no_coefficient_by_rounding(void **state) {
+TEST(no_coefficient_by_rounding) {
   static const double parts[] = {0, 4e-18, -4e-18, 1e-7, 1e-5};
   const double n[3] = {0, 0, 1};
   for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
@@ -532,8 +532,7 @@ static void no_coefficient_by_rounding(void **state) {
 }
 
 /* A number that is none, or infinite, gives no impact and no numbers. */
-static void no_number(void **state) {
-  (void)state;
+TEST(no_number) {
   static const char *const walls[] = {"surface smooth rebound walton 0.9 0.3 0",
                                       "surface sigma 10 rebound walton 0.9 0.3 0.5",
                                       "surface sigma 10 spread profile rebound constant 0.5 0.5",
@@ -582,27 +581,5 @@ static void no_number(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(smooth_wall_is_the_law),
-      cmocka_unit_test(a_grain_keeps_its_yield_stress),
-      cmocka_unit_test(a_grain_keeps_its_adhesion),
-      cmocka_unit_test(specular_rebound_turns_by_twice_the_tilt),
-      cmocka_unit_test(frame_does_not_matter),
-      cmocka_unit_test(out_of_plane_tilt),
-      cmocka_unit_test(normal_impact_is_isotropic),
-      cmocka_unit_test(no_deposits_where_none_are_taken),
-      cmocka_unit_test(sliding),
-      cmocka_unit_test(nearly_normal_impacts_keep_energy),
-      cmocka_unit_test(grazing_to_the_last_bit),
-      cmocka_unit_test(faces_are_hit_or_not),
-      cmocka_unit_test(kinks_turn_by_both_sides),
-      cmocka_unit_test(loose_particles_fly_to_the_next_face),
-      cmocka_unit_test(kinks_of_surfaces_have_their_share),
-      cmocka_unit_test(many_impacts_are_single_ones),
-      cmocka_unit_test(a_pair_is_needed),
-      cmocka_unit_test(properties),
-      cmocka_unit_test(no_number),
-      cmocka_unit_test(no_coefficient_by_rounding),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -31,8 +31,7 @@ static void field_of(aspi_field *f, asp_heights *map, double d_p) {
 
 /* Flights that begin in the air, over a map whose sides are no powers of two, against small steps.
  */
-static void flights_end_where_small_steps_do(void **state) {
-  (void)state;
+TEST(flights_end_where_small_steps_do) {
   gauss_wall wall = {0.2, 1, 1, 0};
   asp_heights *map = gauss_map_create(&wall, (const double[2]){0.1, 0.08}, 128, 128, 7, NULL);
   map->columns = 101;
@@ -69,8 +68,7 @@ static void flights_end_where_small_steps_do(void **state) {
 
 /* Where a map is coarse, the gradient of a contact and that of the surface between the points
  * differ, and a face may send a particle under its neighbor: it hits that, and is not lost. */
-static void no_flight_ends_below_a_coarse_wall(void **state) {
-  (void)state;
+TEST(no_flight_ends_below_a_coarse_wall) {
   gauss_wall wall = {0.2, 1, 1, 0};
   asp_heights *map = gauss_map_create(&wall, (const double[2]){0.15, 0.15}, 128, 128, 3, NULL);
   aspi_field f;
@@ -118,8 +116,7 @@ static double mean_tilt(asp_heights *map, bool periodic) {
 
 /* Flights over a piece of a map, whose edges do not fit together, have the first hits of flights
  * over the map, which repeats. */
-static void edges_do_not_change_first_hits(void **state) {
-  (void)state;
+TEST(edges_do_not_change_first_hits) {
   enum { ALL = 256, PIECE = 150 };
   gauss_wall wall = {0.125, 1, 1, 0};
   asp_heights *map = gauss_map_create(&wall, (const double[2]){0.08, 0.08}, ALL, ALL, 9, NULL);
@@ -139,8 +136,7 @@ static void edges_do_not_change_first_hits(void **state) {
 }
 
 /* On one row, weights and places agree, and every one of them is where the beam says. */
-static void first_hits_fill_the_beam(void **state) {
-  (void)state;
+TEST(first_hits_fill_the_beam) {
   gauss_wall wall = {0.2, 1, 1, 0};
   asp_heights *map = gauss_map_create(&wall, (const double[2]){0.05, 0.1}, 1024, 128, 5, NULL);
   aspi_field f;
@@ -194,8 +190,7 @@ static aspi_mean_error mean_of(const aspi_judge *judge, size_t sum) {
   return aspi_angles_mean(aspi_judge_groups(judge, 0), sum);
 }
 
-static void numbers_agree_with_the_independent_reference(void **state) {
-  (void)state;
+TEST(numbers_agree_with_the_independent_reference) {
   const known cases[] = {
       {0, 10, 2, 25.08, 0.06, 0.98, 1024, 3},
       {45, 10, 5, 18.51, 0.08, 3.35, 512, 6},
@@ -226,8 +221,7 @@ static void numbers_agree_with_the_independent_reference(void **state) {
 }
 
 /* The divergence of a sample of the same law is nothing, within its own error. */
-static void divergences_have_no_bias(void **state) {
-  (void)state;
+TEST(divergences_have_no_bias) {
   surfaces subject = {.wall = {5, 40, 40, 0},
                       .d_p = 10,
                       .groups = 12,
@@ -260,8 +254,7 @@ static asp_heights *ridges(const surfaces *subject, const double step[2], size_t
   return map;
 }
 
-static void crests_are_hit_once(void **state) {
-  (void)state;
+TEST(crests_are_hit_once) {
   surfaces subject = {.wall = {5, 40, 40, 0},
                       .d_p = 40,
                       .groups = 4,
@@ -277,14 +270,5 @@ static void crests_are_hit_once(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(flights_end_where_small_steps_do),
-      cmocka_unit_test(no_flight_ends_below_a_coarse_wall),
-      cmocka_unit_test(edges_do_not_change_first_hits),
-      cmocka_unit_test(first_hits_fill_the_beam),
-      cmocka_unit_test(numbers_agree_with_the_independent_reference),
-      cmocka_unit_test(divergences_have_no_bias),
-      cmocka_unit_test(crests_are_hit_once),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

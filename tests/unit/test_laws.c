@@ -34,8 +34,7 @@ static aspi_bounce bounce_of(const char *name, const double *parameters,
 }
 
 /* The polynomials, worked out by hand at 30 and 60 degrees. */
-static void grant_tabakoff_means(void **state) {
-  (void)state;
+TEST(grant_tabakoff_means) {
   static const double table[][3] = {{30, 0.428811, 0.601118}, {60, 0.297957, 0.794111}};
   static const double none[ASP_PARAMETERS_MAX];
   for (int i = 0; i < 2; i++) {
@@ -47,8 +46,7 @@ static void grant_tabakoff_means(void **state) {
 }
 
 /* Its own scatter has the measured means and standard deviations, here at 60 degrees. */
-static void grant_tabakoff_scatter(void **state) {
-  (void)state;
+TEST(grant_tabakoff_scatter) {
   enum { N = 40000 };
   static const double all[ASP_PARAMETERS_MAX] = {1};
   double b = M_PI / 3, mean = 0, square = 0;
@@ -66,8 +64,7 @@ static void grant_tabakoff_scatter(void **state) {
 }
 
 /* A measured scatter holds roughness: with a rough surface it is refused, its means are not. */
-static void scatter_is_not_counted_twice(void **state) {
-  (void)state;
+TEST(scatter_is_not_counted_twice) {
   asp_error error;
   static const char *const allowed[] = {
       "surface rq 5um lambda_c 40um spread weibull rebound grant_tabakoff",
@@ -90,8 +87,7 @@ static const aspi_cor_point points[] = {
 };
 enum { N_POINTS = sizeof points / sizeof *points };
 
-static void table_meets_its_points(void **state) {
-  (void)state;
+TEST(table_meets_its_points) {
   aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   assert_non_null(table);
   double n, t;
@@ -110,8 +106,7 @@ static void table_meets_its_points(void **state) {
 }
 
 /* Between points of falling cor_n it falls, at every speed; and the rebound has no more energy. */
-static void table_is_monotone(void **state) {
-  (void)state;
+TEST(table_is_monotone) {
   aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   for (double speed = 5; speed < 200; speed += 3) {
     double last = 2, n, t;
@@ -127,8 +122,7 @@ static void table_is_monotone(void **state) {
 }
 
 /* Angles and speeds that nearly coincide: coefficients that are numbers, or an error. */
-static void close_points_are_numbers_or_refused(void **state) {
-  (void)state;
+TEST(close_points_are_numbers_or_refused) {
   static const double apart[] = {5e-324, 1e-310, 1e-300, 1e-100, 1e-10, 2e-9, 1e-6};
   asp_error error;
   for (size_t i = 0; i < sizeof apart / sizeof *apart; i++) {
@@ -148,8 +142,7 @@ static void close_points_are_numbers_or_refused(void **state) {
   }
 }
 
-static void table_law_looks_up(void **state) {
-  (void)state;
+TEST(table_law_looks_up) {
   aspi_cor_table *table = aspi_cor_table_create(points, N_POINTS, NULL);
   aspi_wall_choice choice = choice_of("table");
   choice.table = table;
@@ -164,8 +157,7 @@ static void table_law_looks_up(void **state) {
   asp_wall_free(wall);
 }
 
-static void tables_are_read(void **state) {
-  (void)state;
+TEST(tables_are_read) {
   static const char *const same[] = {
       "alpha1_deg,cor_n,cor_t\n10,0.9,0.8\n80,0.3,0.7\n",
       ("\xef\xbb\xbf# rig 3\r\nalpha1_deg;cor_n;cor_t;text\r\n10;0,9;0,8;\"a; "
@@ -188,8 +180,7 @@ static void tables_are_read(void **state) {
   }
 }
 
-static void bad_tables_are_named(void **state) {
-  (void)state;
+TEST(bad_tables_are_named) {
   static const struct {
     const char *text, *words[2];
   } bad[] = {
@@ -221,8 +212,7 @@ static void bad_tables_are_named(void **state) {
   }
 }
 
-static void own_materials(void **state) {
-  (void)state;
+TEST(own_materials) {
   asp_error error = {0};
   const char *path =
       file_of("# our own\n"
@@ -250,8 +240,7 @@ static void own_materials(void **state) {
 }
 
 #define MATERIAL_COLUMNS "name,youngs_modulus_pa,poissons_ratio,density_kg_m3\n"
-static void bad_materials_are_named(void **state) {
-  (void)state;
+TEST(bad_materials_are_named) {
   static const char *const bad[][2] = {
       {"name,youngs_modulus_pa,poissons_ratio\na,1,0\n", "'density_kg_m3' is missing"},
       {MATERIAL_COLUMNS "a,-1e9,0.2,1000\n", ":2: youngs_modulus_pa is -1e+09"},
@@ -275,18 +264,5 @@ static void bad_materials_are_named(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(grant_tabakoff_means),
-      cmocka_unit_test(grant_tabakoff_scatter),
-      cmocka_unit_test(scatter_is_not_counted_twice),
-      cmocka_unit_test(table_meets_its_points),
-      cmocka_unit_test(table_is_monotone),
-      cmocka_unit_test(close_points_are_numbers_or_refused),
-      cmocka_unit_test(table_law_looks_up),
-      cmocka_unit_test(tables_are_read),
-      cmocka_unit_test(bad_tables_are_named),
-      cmocka_unit_test(own_materials),
-      cmocka_unit_test(bad_materials_are_named),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

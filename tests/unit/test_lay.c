@@ -54,8 +54,7 @@ static aspi_angles many(const setup *s, double d_p, double alpha1, double psi, s
 }
 
 /* Equal lengths are a wall without a lay, to the bit; and what points the other way is the same. */
-static void a_lay_has_no_sense(void **state) {
-  (void)state;
+TEST(a_lay_has_no_sense) {
   setup equal = setup_create(40, 40, "isotropic"), lay = setup_create(40, 200, "isotropic");
   for (uint64_t tag = 0; tag < 3000; tag++) {
     double alpha1 = 0.001 * (double)(tag % 1500), psi = 0.01 * (double)tag;
@@ -72,8 +71,7 @@ static void a_lay_has_no_sense(void **state) {
 }
 
 /* The other side of the lay steers to the other side. */
-static void mirrored_lays_mirror_the_law(void **state) {
-  (void)state;
+TEST(mirrored_lays_mirror_the_law) {
   enum { N = 25000 };
   setup s = setup_create(40, 200, "isotropic");
   aspi_angles left = many(&s, 10, 0.1, 0.6, N), right = many(&s, 10, 0.1, -0.6, N);
@@ -86,8 +84,7 @@ static void mirrored_lays_mirror_the_law(void **state) {
 
 /* Endless grooves: across them a profile, without a tilt out of the plane; along them faces that
  * tilt out of the plane only, with the slope across. */
-static void grooves(void **state) {
-  (void)state;
+TEST(grooves) {
   enum { N = 25000 };
   setup s = setup_create(40, 4e8, "isotropic"), plane = setup_create(40, 40, "plane");
   double square = 0, lower = 0;
@@ -108,8 +105,7 @@ static void grooves(void **state) {
 }
 
 /* At normal incidence both slopes are what the surface has, whatever the direction of the lay. */
-static void normal_incidence_shows_all_slopes(void **state) {
-  (void)state;
+TEST(normal_incidence_shows_all_slopes) {
   enum { N = 50000 };
   setup s = setup_create(40, 120, "isotropic");
   double psi = 0.5, xx = 0, xy = 0, yy = 0, d_p = 100, slope[2];
@@ -130,8 +126,7 @@ static void normal_incidence_shows_all_slopes(void **state) {
 }
 
 /* A sphere that grazes rests on summits: formula (4) for the slope across the flight. */
-static void grazing_spheres_meet_less_slope(void **state) {
-  (void)state;
+TEST(grazing_spheres_meet_less_slope) {
   enum { N = 25000 };
   setup s = setup_create(40, 40, "isotropic");
   double d_p = 185, alpha1 = 0.02, slope[2], square = 0;
@@ -146,8 +141,7 @@ static void grazing_spheres_meet_less_slope(void **state) {
 }
 
 /* The mean lateral angle that an independent reference found at psi = 45 degrees. */
-static void lays_steer(void **state) {
-  (void)state;
+TEST(lays_steer) {
   enum { N = 40000 };
   static const double known[][2] = {{2, -3.17}, {5, -3.30}, {10, -3.29}, {30, -2.81}};
   setup s = setup_create(40, 200, "isotropic");
@@ -160,8 +154,7 @@ static void lays_steer(void **state) {
 }
 
 /* psi, d_p, alpha1 (degrees): the rebound angle and the lateral one, against surfaces. */
-static void walls_with_a_lay_are_surfaces(void **state) {
-  (void)state;
+TEST(walls_with_a_lay_are_surfaces) {
   static const double cases[][3] = {{45, 10, 5}};
   enum { N = 70000 };
   setup s = setup_create(40, 200, "isotropic");
@@ -203,8 +196,7 @@ static asp_wall *wall_of_map(const asp_heights *map, const char *words, asp_erro
 }
 
 /* Elastic ridges push across their lay, whichever way they are met. */
-static void ridges_push_across_their_lay(void **state) {
-  (void)state;
+TEST(ridges_push_across_their_lay) {
   const double step[2] = {0.2, 0.2}, lay[3] = {0.8, 0.6, 0};
   asp_error error;
   asp_heights *map = gauss_map_create(&(gauss_wall){0.2, 1, 12, 0.5}, step, 256, 256, 1, &error);
@@ -229,8 +221,7 @@ static void ridges_push_across_their_lay(void **state) {
 }
 
 /* A lay in words is a vector of length 1, along any axis. */
-static void lays_have_unit_length(void **state) {
-  (void)state;
+TEST(lays_have_unit_length) {
   static const double lays[][3] = {{0, 3, 4}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
   for (size_t i = 0; i < sizeof lays / sizeof *lays; i++) {
     char text[100];
@@ -247,8 +238,7 @@ static void lays_have_unit_length(void **state) {
 }
 
 /* A map that is half as long again along its lay as across must say so. */
-static void maps_with_a_lay_need_its_direction(void **state) {
-  (void)state;
+TEST(maps_with_a_lay_need_its_direction) {
   const double step[2] = {0.1, 0.1};
   for (double along = 1; along < 2.5; along++) {
     asp_error error;
@@ -265,8 +255,7 @@ static void maps_with_a_lay_need_its_direction(void **state) {
 
 /* A flight across the lay has the kappa of that direction along itself, and the smaller one across
  * itself; one along the lay the other way round. */
-static void headings_have_their_own_size(void **state) {
-  (void)state;
+TEST(headings_have_their_own_size) {
   setup made = setup_create(40, 80, "isotropic");
   const aspi_roughness rough = {
       .wall = made.wall, .slope = {0.2, 0.1}, .kappa = 3, .shrink = 0.25, .across = {1, 0, 0}};
@@ -279,18 +268,5 @@ static void headings_have_their_own_size(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(a_lay_has_no_sense),
-      cmocka_unit_test(mirrored_lays_mirror_the_law),
-      cmocka_unit_test(grooves),
-      cmocka_unit_test(normal_incidence_shows_all_slopes),
-      cmocka_unit_test(grazing_spheres_meet_less_slope),
-      cmocka_unit_test(lays_steer),
-      cmocka_unit_test(walls_with_a_lay_are_surfaces),
-      cmocka_unit_test(ridges_push_across_their_lay),
-      cmocka_unit_test(maps_with_a_lay_need_its_direction),
-      cmocka_unit_test(lays_have_unit_length),
-      cmocka_unit_test(headings_have_their_own_size),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

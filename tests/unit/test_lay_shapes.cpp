@@ -1,20 +1,13 @@
 /* The lay of a description, and as shapes that move and turn take it along.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
 #include <memory>
 #include <string>
 
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 
@@ -32,7 +25,7 @@ void assert_direction(const double is[3], double x, double y, double z) {
   assert_true(fabs(is[0] - x) < 1e-12 && fabs(is[1] - y) < 1e-12 && fabs(is[2] - z) < 1e-12);
 }
 
-void words_are_read(void **) {
+TEST(words_are_read) {
   const asp_lay lay = read("3 0 4");
   assert_int_equal(lay.kind, ASP_LAY_VECTOR);
   assert_direction(lay.vector, 0.6, 0, 0.8);
@@ -44,7 +37,7 @@ void words_are_read(void **) {
 
 /* A mesh that has turned by a quarter about z by the end of the step has turned its lay by an
  * eighth in the middle of it; at rest there, the whole quarter stays. */
-void meshes_turn_their_lay(void **) {
+TEST(meshes_turn_their_lay) {
   const asp_lay lay = read("1 0 0");
   MeshShape mesh;
   Path path = Path();
@@ -67,7 +60,7 @@ void meshes_turn_their_lay(void **) {
 }
 
 /* Around a cylinder: along the axis, around it, and between. */
-void cylinders_have_helices(void **) {
+TEST(cylinders_have_helices) {
   const char *const wall[] = {"zcylinder", "1", "0", "0"};
   Words w(4, wall);
   std::string geometry;
@@ -88,10 +81,5 @@ void cylinders_have_helices(void **) {
 } // namespace
 
 int main() {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(words_are_read),
-      cmocka_unit_test(meshes_turn_their_lay),
-      cmocka_unit_test(cylinders_have_helices),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

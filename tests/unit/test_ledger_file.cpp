@@ -3,10 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/ledger_file.h"
 
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -17,9 +14,8 @@
 #include <memory>
 
 #include "dem/error.h"
-extern "C" {
-#include <cmocka.h>
-}
+
+#include "check.h"
 
 using namespace asperity;
 
@@ -57,7 +53,7 @@ static void assert_says(const std::string &text, const std::string &word) {
 }
 
 /* A grain that slides has no CoR_N: nan in the array, nothing in the file. */
-static void slides(void **) {
+TEST(slides) {
   const double v1[3] = {2, 0, 0}, n[3] = {0, 0, 1};
   asp_impact impact = asp_impact();
   impact.v2[0] = 1;
@@ -78,7 +74,7 @@ static void limit(rlim_t bytes) {
 
 /* A disk that is full takes a part of a window; when it has room again, the next one follows the
  * last whole one. Larger than what is written at once. */
-static void full_disk(void **) {
+TEST(full_disk) {
   const std::string path = folder + "/full.csv";
   LedgerFile file(path, LedgerColumn::N_COLUMNS);
   file.open(LedgerState(), "heading");
@@ -103,7 +99,7 @@ static void full_disk(void **) {
   assert_true(contents(other) == after);
 }
 
-static void deleted(void **) {
+TEST(deleted) {
   const std::string path = folder + "/deleted.csv";
   LedgerFile file(path, LedgerColumn::N_COLUMNS);
   file.open(LedgerState(), "heading");
@@ -113,7 +109,7 @@ static void deleted(void **) {
 }
 
 /* Rows behind a part that another program has cut off would follow NUL bytes. */
-static void cut_short(void **) {
+TEST(cut_short) {
   const std::string path = folder + "/cut_short.csv";
   LedgerFile file(path, LedgerColumn::N_COLUMNS);
   file.open(LedgerState(), "heading");
@@ -134,7 +130,7 @@ static std::string wrong_of_open(LedgerFile &file, const LedgerState &saved) {
 }
 
 /* Cut back from any later length. */
-static void every_length(void **) {
+TEST(every_length) {
   const std::string path = folder + "/cut.csv";
   LedgerState state;
   {
@@ -167,7 +163,7 @@ static void every_length(void **) {
   }
 }
 
-static void two_walls(void **) {
+TEST(two_walls) {
   const std::string path = folder + "/two.csv", link_path = folder + "/link.csv";
   std::unique_ptr<LedgerFile> first(new LedgerFile(path, LedgerColumn::N_COLUMNS));
   first->open(LedgerState(), "heading");
@@ -185,7 +181,7 @@ static void two_walls(void **) {
   assert_int_equal(later.state().rows, 0);
 }
 
-static void no_file(void **) {
+TEST(no_file) {
   const std::string path = folder + "/nowhere/rows.csv";
   LedgerFile file(path, LedgerColumn::N_COLUMNS);
   assert_says(wrong_of_open(file, LedgerState()), "No such file");
@@ -198,7 +194,7 @@ static void no_file(void **) {
 }
 
 /* A file that is gone is an error only where the restart file counts rows in it. */
-static void gone(void **) {
+TEST(gone) {
   const std::string path = folder + "/gone.csv";
   for (double rows : {0.0, 2.0}) {
     LedgerFile file(path, LedgerColumn::N_COLUMNS);
@@ -212,7 +208,7 @@ static void gone(void **) {
 }
 
 /* A link names its file before that is there. */
-static void links(void **) {
+TEST(links) {
   const std::string link = folder + "/symbolic.csv", path = folder + "/behind.csv";
   assert_int_equal(symlink(path.c_str(), link.c_str()), 0);
   LedgerFile file(link, LedgerColumn::N_COLUMNS);
@@ -222,7 +218,7 @@ static void links(void **) {
 }
 
 /* LAMMPS has tags of 64 bits where it is built for them. */
-static void long_tags(void **) {
+TEST(long_tags) {
   const int64_t tag = 3000000000;
   std::vector<char> bytes;
   LedgerRow row;
@@ -236,12 +232,7 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const struct CMUnitTest tests[] = {cmocka_unit_test(full_disk), cmocka_unit_test(deleted),
-                                     cmocka_unit_test(cut_short), cmocka_unit_test(every_length),
-                                     cmocka_unit_test(two_walls), cmocka_unit_test(no_file),
-                                     cmocka_unit_test(long_tags), cmocka_unit_test(links),
-                                     cmocka_unit_test(slides),    cmocka_unit_test(gone)};
-  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  const int failed = RUN_TESTS(NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;
   return failed;

@@ -28,8 +28,7 @@ static int set_locale(void **state) {
   return strcmp(half, "0,5");
 }
 
-static void profiles(void **state) {
-  (void)state;
+TEST(profiles) {
   static const char *const files[] = {"x_um,z_um\n0.5,1.5\n1.0,2.5\n1.5,0.5\n",
                                       "x_um;z_um\n0,5;1,5\n1,0;2,5\n1,5;0,5\n",
                                       ("aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 0.5e-6\n"
@@ -50,8 +49,7 @@ static void profiles(void **state) {
   }
 }
 
-static void tables_and_materials(void **state) {
-  (void)state;
+TEST(tables_and_materials) {
   double n, t;
   const char *path = file_of("alpha1_deg,cor_n,cor_t\n10.5,0.75,0.25\n80.5,0.75,0.25\n");
   aspi_cor_table *table = aspi_cor_table_read(path, 1, NULL);
@@ -72,8 +70,7 @@ static void tables_and_materials(void **state) {
 }
 
 /* A number in a message is written as the reader of a script writes it. */
-static void messages(void **state) {
-  (void)state;
+TEST(messages) {
   static const char *const all[][2] = {
       {"surface sigma 60.5", "sigma is 60.5; it must be 0.001 to 54"},
       {"rebound bons soften 800.5 0.001 temperature 800", "softening starts at 800.5 K"},
@@ -103,18 +100,11 @@ static void messages(void **state) {
 }
 
 /* The program's locale is still its own. */
-static void nothing_is_left_behind(void **state) {
-  (void)state;
+TEST(nothing_is_left_behind) {
   assert_string_equal(localeconv()->decimal_point, ",");
   assert_near(strtod("0,5", NULL), 0.5, 0);
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(profiles),
-      cmocka_unit_test(tables_and_materials),
-      cmocka_unit_test(messages),
-      cmocka_unit_test(nothing_is_left_behind),
-  };
-  return cmocka_run_group_tests(tests, set_locale, NULL);
+  return RUN_TESTS(set_locale, NULL);
 }

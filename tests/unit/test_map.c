@@ -97,8 +97,7 @@ static void check_map(asp_heights *map, double tolerance) {
   asp_heights_free(map);
 }
 
-static void matrices_are_read(void **state) {
-  (void)state;
+TEST_BETWEEN(matrices_are_read, setup, teardown) {
   const char *const separators[] = {",", ", ", ";", "\t", " ", "   "};
   const char *head = "# Channel: Height\n# Width: 48 \xc2\xb5m\n# Height: 56 \xc2\xb5m\n"
                      "# Value units: um\n";
@@ -113,8 +112,7 @@ static void matrices_are_read(void **state) {
   check_map(read_map("map"), 1e-4);
 }
 
-static void triples_are_read_in_any_order(void **state) {
-  (void)state;
+TEST_BETWEEN(triples_are_read_in_any_order, setup, teardown) {
   for (int order = 0; order < 3; order++) {
     FILE *file = begin("map");
     fputs("x_um,y_um,z_nm\n", file);
@@ -130,8 +128,7 @@ static void triples_are_read_in_any_order(void **state) {
 }
 
 /* The columns that the header names are taken, each with its unit, in whatever order they stand. */
-static void columns_are_chosen_by_their_names(void **state) {
-  (void)state;
+TEST_BETWEEN(columns_are_chosen_by_their_names, setup, teardown) {
   static const struct {
     const char *head, *row; /* %1$ is x, %2$ y, %3$ z, in um, mm and nm; %4$ counts */
   } all[] = {{"x [um],y [mm],z [nm]\n", "%1$.6g,%2$.9g,%3$.9g\n"},
@@ -154,8 +151,7 @@ static void columns_are_chosen_by_their_names(void **state) {
 }
 
 /* Decimal commas beside commas; the mark that is stated. */
-static void what_is_no_height_is_refused(void **state) {
-  (void)state;
+TEST_BETWEEN(what_is_no_height_is_refused, setup, teardown) {
   const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
   FILE *file = begin("map");
   fputs(head, file);
@@ -224,8 +220,7 @@ static void write_binary(int type, const char *version, bool bad) {
   fclose(file);
 }
 
-static void binary_files_are_read(void **state) {
-  (void)state;
+TEST_BETWEEN(binary_files_are_read, setup, teardown) {
   for (int type = 0; type < 8; type++) {
     write_binary(type, type % 2 ? "bISO-1.0" : "bISO-2.0", false);
     check_map(read_map("map"), type == 0 || type == 4 ? 0.3 : 1e-3);
@@ -243,8 +238,7 @@ static void binary_files_are_read(void **state) {
   }
 }
 
-static void text_of_the_standard_is_read(void **state) {
-  (void)state;
+TEST_BETWEEN(text_of_the_standard_is_read, setup, teardown) {
   FILE *file = begin("map");
   fputs("\xEF\xBB\xBF" /* the mark of UTF-8 */
         "aISO-1.0\n\nNumPoints = 7\nNumProfiles = 4\nXscale = 1.0E-6\nYscale = 2.0E-6\n"
@@ -262,8 +256,7 @@ static void text_of_the_standard_is_read(void **state) {
   asp_heights_free(map);
 }
 
-static void form_and_spikes_are_taken_out(void **state) {
-  (void)state;
+TEST_BETWEEN(form_and_spikes_are_taken_out, setup, teardown) {
   double kept[ROWS][COLUMNS];
   memcpy(kept, heights, sizeof kept);
   const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
@@ -299,8 +292,7 @@ static void form_and_spikes_are_taken_out(void **state) {
 
 /* Gaussian heights of a ground wall: rough across a lay of any direction, smooth along it. Nothing
  * of it is dust; a grain on it still is. */
-static void ground_walls_are_not_dust(void **state) {
-  (void)state;
+TEST_BETWEEN(ground_walls_are_not_dust, setup, teardown) {
   const char *head = "# Width: 48 um\n# Height: 56 um\n# Value units: um\n";
   for (int degrees = 0; degrees < 180; degrees += 15) {
     double c = cos(degrees * ASP_PI / 180), s = sin(degrees * ASP_PI / 180);
@@ -329,8 +321,7 @@ static void ground_walls_are_not_dust(void **state) {
   make_heights();
 }
 
-static void numbers_agree_with_scipy(void **state) {
-  (void)state;
+TEST(numbers_agree_with_scipy) {
   static double z[ROWS * COLUMNS];
   for (int i = 0; i < ROWS * COLUMNS; i++)
     z[i] = heights[i / COLUMNS][i % COLUMNS];
@@ -358,8 +349,7 @@ static void numbers_agree_with_scipy(void **state) {
 }
 
 /* A line of any length is one row. */
-static void long_lines_are_read(void **state) {
-  (void)state;
+TEST_BETWEEN(long_lines_are_read, setup, teardown) {
   enum { LONG = 3000 };
   FILE *file = begin("map");
   fputs("# Width: 3 mm\n# Height: 4 um\n# Value units: um\n", file);
@@ -375,8 +365,7 @@ static void long_lines_are_read(void **state) {
   asp_heights_free(map);
 }
 
-static void bad_files_are_refused(void **state) {
-  (void)state;
+TEST_BETWEEN(bad_files_are_refused, setup, teardown) {
   const struct {
     const char *text, *words;
   } all[] = {
@@ -419,20 +408,7 @@ int main(void) {
   if (!mkdtemp(folder) || chdir(folder) != 0)
     return 1;
   make_heights();
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test_setup_teardown(matrices_are_read, setup, teardown),
-      cmocka_unit_test_setup_teardown(triples_are_read_in_any_order, setup, teardown),
-      cmocka_unit_test_setup_teardown(columns_are_chosen_by_their_names, setup, teardown),
-      cmocka_unit_test_setup_teardown(what_is_no_height_is_refused, setup, teardown),
-      cmocka_unit_test_setup_teardown(binary_files_are_read, setup, teardown),
-      cmocka_unit_test_setup_teardown(text_of_the_standard_is_read, setup, teardown),
-      cmocka_unit_test_setup_teardown(form_and_spikes_are_taken_out, setup, teardown),
-      cmocka_unit_test_setup_teardown(ground_walls_are_not_dust, setup, teardown),
-      cmocka_unit_test(numbers_agree_with_scipy),
-      cmocka_unit_test_setup_teardown(long_lines_are_read, setup, teardown),
-      cmocka_unit_test_setup_teardown(bad_files_are_refused, setup, teardown),
-  };
-  int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  int failed = RUN_TESTS(NULL, NULL);
   rmdir(folder);
   return failed;
 }

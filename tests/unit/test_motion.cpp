@@ -2,21 +2,12 @@
  * second order in the step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <math.h>
-#include <string.h>
 
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/shapes/motion.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-extern "C" {
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 

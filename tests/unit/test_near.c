@@ -42,8 +42,7 @@ static double by_search(const aspi_scatter_row *at, const aspi_compare_reach *re
   return sum;
 }
 
-static void as_by_search(void **state) {
-  (void)state;
+TEST(as_by_search) {
   static const aspi_compare_reach reaches[] = {{1e-4, 1e-4, 1e-4}, {5, 0.2, 0.3}, {90, 9, 9}};
   static aspi_weighted taken[ROWS];
   aspi_stream s = aspi_stream_begin(&(asp_key){4, 4, 4, 4, 0});
@@ -71,8 +70,7 @@ static void as_by_search(void **state) {
   aspi_near_free(near);
 }
 
-static void none_is_near_nothing(void **state) {
-  (void)state;
+TEST(none_is_near_nothing) {
   const aspi_scatter empty = {.count = 0};
   const aspi_compare_reach reach = {0, 0, 0};
   const aspi_scatter_row at = {.degrees = 3};
@@ -86,9 +84,5 @@ static void none_is_near_nothing(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(as_by_search),
-      cmocka_unit_test(none_is_near_nothing),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -25,8 +25,7 @@ static void check(double value) {
   }
 }
 
-static void any_bits(void **state) {
-  (void)state;
+TEST(any_bits) {
   for (int i = 0; i < 60000; i++) {
     uint64_t bits = next();
     double value;
@@ -35,8 +34,7 @@ static void any_bits(void **state) {
   }
 }
 
-static void usual_magnitudes(void **state) {
-  (void)state;
+TEST(usual_magnitudes) {
   for (int i = 0; i < 100000; i++) {
     double value = pow(10, -20 + 60 * (double)(next() >> 11) / 9007199254740992.0);
     check(i % 2 ? value : -value);
@@ -44,8 +42,7 @@ static void usual_magnitudes(void **state) {
 }
 
 /* Decimals of ten digits, those half-way between two, and their neighbors. */
-static void ties(void **state) {
-  (void)state;
+TEST(ties) {
   for (int exponent = -30; exponent <= 30; exponent++)
     for (int i = 0; i < 2000; i++) {
       char decimal[40];
@@ -60,8 +57,7 @@ static void ties(void **state) {
     check(123456789 + k / 4096. * 16);
 }
 
-static void special(void **state) {
-  (void)state;
+TEST(special) {
   double values[] = {0.,           -0.,          1.,           0.5,   1e-4,   9.9999999999e-5,
                      99999.999995, 9999999999.4, 9999999999.5, 1e10,  1e22,   1e23,
                      1e36,         1e37,         1e-18,        1e-19, 5e-324, 1.7e308,
@@ -79,7 +75,5 @@ static void special(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(any_bits), cmocka_unit_test(usual_magnitudes),
-                                     cmocka_unit_test(ties), cmocka_unit_test(special)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -15,8 +15,7 @@
 
 /* Sample R_q, lambda_c and rms slope come back within some sd of their sampling errors, for any
  * number of points, and the mean over seeds closer. */
-static void generated_profile_has_its_numbers(void **state) {
-  (void)state;
+TEST(generated_profile_has_its_numbers) {
   static const size_t points[] = {65536, 99991, 65537};
   double r_q = 0, lambda_c = 0, slope = 0;
   for (uint32_t seed = 0; seed < 12; seed++) {
@@ -38,8 +37,7 @@ static void generated_profile_has_its_numbers(void **state) {
 
 /* The weighted mean of the noise around each point, also where blocks of the filter meet, and the
  * end and the beginning. */
-static void noise_is_filtered_everywhere(void **state) {
-  (void)state;
+TEST(noise_is_filtered_everywhere) {
   enum { N = 5000, REACH = 80 };
   double noise[N], weight[2 * REACH + 1], squares = 0;
   aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 5, .wall = asp_key_wall("profile")});
@@ -59,8 +57,7 @@ static void noise_is_filtered_everywhere(void **state) {
   asp_heights_free(p);
 }
 
-static void the_seed_decides(void **state) {
-  (void)state;
+TEST(the_seed_decides) {
   asp_heights *a = aspi_profile_generate(1, 1, 0.1, 1000, 7, NULL);
   asp_heights *b = aspi_profile_generate(1, 1, 0.1, 1000, 7, NULL);
   asp_heights *c = aspi_profile_generate(1, 1, 0.1, 1000, 8, NULL);
@@ -72,8 +69,7 @@ static void the_seed_decides(void **state) {
 }
 
 /* No step where the end meets the beginning: it is as steep there as elsewhere. */
-static void generated_profile_is_periodic(void **state) {
-  (void)state;
+TEST(generated_profile_is_periodic) {
   double square = 0;
   for (uint32_t seed = 0; seed < 200; seed++) {
     asp_heights *p = aspi_profile_generate(1, 1, 0.05, 401, seed, NULL);
@@ -85,8 +81,7 @@ static void generated_profile_is_periodic(void **state) {
 }
 
 /* A wave of known R_q, R_a, slope and correlation, whole and cut out of a longer one. */
-static void description_of_a_wave(void **state) {
-  (void)state;
+TEST(description_of_a_wave) {
   enum { N = 2400 };
   static double z[N];
   for (int i = 0; i < N; i++)
@@ -106,8 +101,7 @@ static void description_of_a_wave(void **state) {
 /* Three periods of a wave: r(x) = cos(2 pi x/L) at each lag, however few products it has; divided
  * by the number of points, lambda_c would be 2 % smaller. (Beginning at an eighth of a period, the
  * ends add nothing.) */
-static void lags_of_a_short_wave_are_not_damped(void **state) {
-  (void)state;
+TEST(lags_of_a_short_wave_are_not_damped) {
   enum { N = 300 };
   double z[N];
   for (int i = 0; i < N; i++)
@@ -119,8 +113,7 @@ static void lags_of_a_short_wave_are_not_damped(void **state) {
   asp_heights_free(p);
 }
 
-static void bad_profiles_are_refused(void **state) {
-  (void)state;
+TEST(bad_profiles_are_refused) {
   asp_error e;
   assert_null(aspi_profile_generate(1, 1, 0.3, 1000, 1, &e));
   assert_non_null(strstr(e.text, "lambda_c/4"));
@@ -190,8 +183,7 @@ static void expect_error(const char *text, const aspi_profile_options *options, 
 }
 
 /* Heights that are no numbers, or whose squares would not be, at any spacing. */
-static void heights_and_spacings_are_numbers(void **state) {
-  (void)state;
+TEST(heights_and_spacings_are_numbers) {
   static const double spacings[] = {5e-324, 1e-101, 1e-100, 1, 1e100, 1e101, 1e300, 1e308};
   static const double bad[] = {INFINITY, -INFINITY, NAN, 1.7e308};
   asp_error wrong;
@@ -212,8 +204,7 @@ static void heights_and_spacings_are_numbers(void **state) {
   }
 }
 
-static void separators_and_decimal_commas(void **state) {
-  (void)state;
+TEST(separators_and_decimal_commas) {
   expect("x_um,z_um\n0,1\n0.5,2\n1,4\n", NULL, 3, 0.5e-6, 4e-6);
   expect("x [mm]; z [nm]\r\n0,0;1,5\r\n0,1;2,5\r\n0,2;4,25\r\n", NULL, 3, 0.1e-3, 4.25e-9);
   expect("# x_um\tz_um\n0\t1\n2\t3\n4\t4\n", NULL, 3, 2e-6, 4e-6);
@@ -223,8 +214,7 @@ static void separators_and_decimal_commas(void **state) {
   expect("\xEF\xBB\xBFx_um,z_um\n0,1\n0.5,2\n1,4", NULL, 3, 0.5e-6, 4e-6);
 }
 
-static void units_as_instruments_write_them(void **state) {
-  (void)state;
+TEST(units_as_instruments_write_them) {
   expect("Lateral um,Raw Micrometer,\n0,1,,\n1,2,,\n2,4,,\n", NULL, 3, 1e-6, 4e-6);
   expect("x/\xB5m;z/nm\n0;1\n1;2\n2;4\n", NULL, 3, 1e-6, 4e-9);
   expect("x (\xC2\xB5m)\tz (\xCE\xBCm)\n0\t1\n1\t2\n2\t4\n", NULL, 3, 1e-6, 4e-6);
@@ -234,8 +224,7 @@ static void units_as_instruments_write_them(void **state) {
   assert_near(aspi_unit_meters("parsec", 6), 0, 0);
 }
 
-static void units_that_must_be_asked_for(void **state) {
-  (void)state;
+TEST(units_that_must_be_asked_for) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   expect_error("0,1\n1,2\n2,4\n", NULL, ASP_EDATA, ":1: no unit of length is stated");
@@ -254,8 +243,7 @@ static void units_that_must_be_asked_for(void **state) {
 }
 
 /* A header of parameters, positions rounded to less than the spacing, empty columns at the end. */
-static void an_instruments_own_file(void **state) {
-  (void)state;
+TEST(an_instruments_own_file) {
   enum { N = 4000 };
   char *text = malloc(N * 32 + 400), *end = text;
   assert_non_null(text);
@@ -277,8 +265,7 @@ static void an_instruments_own_file(void **state) {
 
 /* Data on the first line behind a mark, read twice for their uneven spacing: a wave keeps its R_q.
  */
-static void the_mark_of_utf8_is_no_data(void **state) {
-  (void)state;
+TEST(the_mark_of_utf8_is_no_data) {
   enum { N = 2000 };
   char *text = malloc(N * 32), *end = text;
   assert_non_null(text);
@@ -302,8 +289,7 @@ static void the_mark_of_utf8_is_no_data(void **state) {
 }
 
 /* A profile along a line in X and Y: its position is the distance along the line. */
-static void lines_in_x_and_y(void **state) {
-  (void)state;
+TEST(lines_in_x_and_y) {
   const char *turned = "X [um],Y [um],Z [um]\n10,7,1\n9,8,2\n8,9,4\n7,10,8\n";
   expect("X [um],Y [um],Z [um]\n10,7,1\n13,11,2\n16,15,4\n19,19,8\n", NULL, 4, 5e-6, 4e-6);
   assert_non_null(strstr(report.text, "distances in columns 1 and 2, heights of column 3"));
@@ -333,8 +319,7 @@ static void lines_in_x_and_y(void **state) {
 }
 
 /* Of text with more columns than anybody has names for. */
-static void columns_far_to_the_right(void **state) {
-  (void)state;
+TEST(columns_far_to_the_right) {
   char text[2000] = "", *end = text;
   for (int line = 0; line < 4; line++)
     for (int i = 0; i < 100; i++)
@@ -349,8 +334,7 @@ static void columns_far_to_the_right(void **state) {
 }
 
 /* Columns by their header: counters and times are no positions, whatever their place. */
-static void columns_are_chosen_by_their_header(void **state) {
-  (void)state;
+TEST(columns_are_chosen_by_their_header) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   expect("Point,X [um],Z [um]\n1,0,1\n2,2,2\n3,4,4\n", NULL, 3, 2e-6, 4e-6);
@@ -400,8 +384,7 @@ static void columns_are_chosen_by_their_header(void **state) {
 }
 
 /* What instruments and spreadsheets write, and what their numbers may look like. */
-static void files_of_all_kinds(void **state) {
-  (void)state;
+TEST(files_of_all_kinds) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   o.fill = true;
@@ -448,8 +431,7 @@ static void files_of_all_kinds(void **state) {
 }
 
 /* Columns of depths are turned over, by any order of the columns, and said so. */
-static void depths_become_heights(void **state) {
-  (void)state;
+TEST(depths_become_heights) {
   static const char *const names[] = {"x_um,depth_um", "x [um],Depth [um]", "Weg [um],Tiefe [um]"};
   for (int i = 0; i < 3; i++) {
     char file[80];
@@ -471,8 +453,7 @@ static void depths_become_heights(void **state) {
 }
 
 /* What cannot be what it was read as is refused with the way out. */
-static void suspicious_numbers_are_refused(void **state) {
-  (void)state;
+TEST(suspicious_numbers_are_refused) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   const char *marked = "x_um,z_um\n0,1\n1,-9999\n2,3\n3,2\n4,5\n";
@@ -491,8 +472,7 @@ static void suspicious_numbers_are_refused(void **state) {
 }
 
 /* A parabola with a ripple: degree 2 leaves the ripple. */
-static void form_is_taken_out(void **state) {
-  (void)state;
+TEST(form_is_taken_out) {
   enum { N = 1000 };
   char *text = malloc(N * 40 + 40), *end = text;
   assert_non_null(text);
@@ -511,8 +491,7 @@ static void form_is_taken_out(void **state) {
   free(text);
 }
 
-static void gaps_are_refused_or_filled(void **state) {
-  (void)state;
+TEST(gaps_are_refused_or_filled) {
   static const char *const files[] = {
       "x_m,z_m\n0,1\n1,nan\n2,3\n3,7\n4,5\n", "x_m,z_m\n0,1\n1,\n2,3\n3,7\n4,5\n",
       "x_m,z_m\n0,1\n1,inf\n2,3\n3,7\n4,5\n", "x_m,z_m\n0,1\n1,BAD\n2,3\n3,7\n4,5\n",
@@ -534,8 +513,7 @@ static void gaps_are_refused_or_filled(void **state) {
 }
 
 /* Rows that are not there are a gap, too. */
-static void missing_rows_are_a_gap(void **state) {
-  (void)state;
+TEST(missing_rows_are_a_gap) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   const char *text = "x_m,z_m\n0,1\n1,2\n2,4\n3,1\n8,6\n9,2\n10,1\n11,5\n";
@@ -550,8 +528,7 @@ static void missing_rows_are_a_gap(void **state) {
   assert_non_null(strstr(report.text, "resampled"));
 }
 
-static void unequal_spacing_is_resampled(void **state) {
-  (void)state;
+TEST(unequal_spacing_is_resampled) {
   aspi_profile_options o = aspi_profile_options_default();
   o.form = -1;
   const char *text = "x_m,z_m\n0.00,0\n1.00,2\n1.50,3\n3.00,6\n4.00,8\n5.00,5\n";
@@ -560,8 +537,7 @@ static void unequal_spacing_is_resampled(void **state) {
   assert_non_null(strstr(report.text, "resampled to 1 m"));
 }
 
-static void spikes_are_marked_where_asked(void **state) {
-  (void)state;
+TEST(spikes_are_marked_where_asked) {
   char text[4000] = "x_um,z_um\n", *end = text + strlen(text);
   for (int i = 0; i < 200; i++)
     end += sprintf(end, "%d,%.6f\n", i, i == 77 ? 50 : sin(i * 0.2) + 0.01 * (i % 3));
@@ -582,8 +558,7 @@ static void spikes_are_marked_where_asked(void **state) {
 }
 
 /* Dust, heights in steps and heights that are cut off are each called what they are. */
-static void warnings_have_their_names(void **state) {
-  (void)state;
+TEST(warnings_have_their_names) {
   enum { N = 3000 };
   static const struct {
     double quantum, low, high, dust;
@@ -621,8 +596,7 @@ static void warnings_have_their_names(void **state) {
 
 /* Most points are off their neighbors by more than nearly nothing; what is left of them must not
  * be stretched over the others, nor reach GSL's solver and its error handler. */
-static void more_spikes_than_points_are_refused(void **state) {
-  (void)state;
+TEST(more_spikes_than_points_are_refused) {
   char *text = malloc(20000 * 24), *end = text;
   assert_non_null(text);
   end += sprintf(end, "x_um,z_um\n");
@@ -636,8 +610,7 @@ static void more_spikes_than_points_are_refused(void **state) {
   free(text);
 }
 
-static void bad_files_are_named_with_their_line(void **state) {
-  (void)state;
+TEST(bad_files_are_named_with_their_line) {
   expect_error("", NULL, ASP_EDATA, ":1: the file ends without a line of two numbers");
   expect_error("x_um,z_um\n", NULL, ASP_EDATA, "without a line of two numbers");
   expect_error("hello\nworld\n", NULL, ASP_EDATA, "without a line of two numbers");
@@ -665,8 +638,7 @@ static void bad_files_are_named_with_their_line(void **state) {
 
 /* ---- SDF ---- */
 
-static void sections_of_a_map(void **state) {
-  (void)state;
+TEST(sections_of_a_map) {
   const char *map =
       SDF_HEAD "*\r\n1 2\r\n 4 3 10 20 40 30\r\n100 200 400 300\r\n*\r\n<Name> T\r\n*";
   aspi_profile_options o = aspi_profile_options_default();
@@ -688,8 +660,7 @@ static void sections_of_a_map(void **state) {
   expect(bad, &o, 4, 2e-6, 4e-6);
 }
 
-static void bad_maps_are_named_with_their_line(void **state) {
-  (void)state;
+TEST(bad_maps_are_named_with_their_line) {
   expect_error("aISO-1.0\nNumPoints = 4\n", NULL, ASP_EDATA, ":3: the file ends within the SDF");
   expect_error("aISO-1.0\nNumPoints = 4\nNumProfi", NULL, ASP_EDATA, ":3: 'NumProfi' where");
   expect_error("aISO-1.0\n*\n1 2 3\n", NULL, ASP_EDATA, ":2: the header ends without NumPoints");
@@ -708,8 +679,7 @@ static void bad_maps_are_named_with_their_line(void **state) {
 }
 
 /* What engines read: the defaults, in their unit, with a sentence and doubts. */
-static void defaults_of_engines(void **state) {
-  (void)state;
+TEST(defaults_of_engines) {
   char path[] = "/tmp/test_profile.XXXXXX", text[700];
   asp_error doubt;
   FILE *file = fdopen(mkstemp(path), "w");
@@ -744,8 +714,7 @@ static void write_wave(const char *path, const char *units, double run, double r
 
 /* Waves of 10 and 25 um in files of different units, steps and lengths (1 and 3 mm). Numbers by
  * length: mean squares of heights and slopes, and the autocorrelation, a mean of two cosines. */
-static void several_profiles_are_one_wall(void **state) {
-  (void)state;
+TEST(several_profiles_are_one_wall) {
   char folder[] = "/tmp/test_profile.XXXXXX", list[200], names[3][60];
   assert_non_null(mkdtemp(folder));
   const char *const name[] = {"one.csv", "two.csv", "with,comma.csv"};
@@ -794,38 +763,5 @@ static void several_profiles_are_one_wall(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(generated_profile_has_its_numbers),
-      cmocka_unit_test(noise_is_filtered_everywhere),
-      cmocka_unit_test(the_seed_decides),
-      cmocka_unit_test(generated_profile_is_periodic),
-      cmocka_unit_test(description_of_a_wave),
-      cmocka_unit_test(lags_of_a_short_wave_are_not_damped),
-      cmocka_unit_test(bad_profiles_are_refused),
-      cmocka_unit_test(heights_and_spacings_are_numbers),
-      cmocka_unit_test(separators_and_decimal_commas),
-      cmocka_unit_test(units_as_instruments_write_them),
-      cmocka_unit_test(units_that_must_be_asked_for),
-      cmocka_unit_test(an_instruments_own_file),
-      cmocka_unit_test(columns_are_chosen_by_their_header),
-      cmocka_unit_test(the_mark_of_utf8_is_no_data),
-      cmocka_unit_test(lines_in_x_and_y),
-      cmocka_unit_test(columns_far_to_the_right),
-      cmocka_unit_test(files_of_all_kinds),
-      cmocka_unit_test(depths_become_heights),
-      cmocka_unit_test(suspicious_numbers_are_refused),
-      cmocka_unit_test(form_is_taken_out),
-      cmocka_unit_test(gaps_are_refused_or_filled),
-      cmocka_unit_test(missing_rows_are_a_gap),
-      cmocka_unit_test(unequal_spacing_is_resampled),
-      cmocka_unit_test(spikes_are_marked_where_asked),
-      cmocka_unit_test(warnings_have_their_names),
-      cmocka_unit_test(more_spikes_than_points_are_refused),
-      cmocka_unit_test(bad_files_are_named_with_their_line),
-      cmocka_unit_test(sections_of_a_map),
-      cmocka_unit_test(bad_maps_are_named_with_their_line),
-      cmocka_unit_test(defaults_of_engines),
-      cmocka_unit_test(several_profiles_are_one_wall),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

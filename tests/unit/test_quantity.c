@@ -18,8 +18,7 @@ static double read(const char *text, const char *kind, const asp_units *units) {
   return value;
 }
 
-static void units_are_powers_of_ten(void **state) {
-  (void)state;
+TEST(units_are_powers_of_ten) {
   assert_near(read("15.6um", "length", &si), 15.6e-6, 0);
   assert_near(read("1.56e1um", "length", &si), 15.6e-6, 0);
   assert_near(read("-3\xC2\xB5m", "length", &si), -3e-6, 0);
@@ -38,8 +37,7 @@ static void units_are_powers_of_ten(void **state) {
   assert_near(read("0.001/K", "1/K", &si), 1e-3, 0);
 }
 
-static void unknown_units_are_listed(void **state) {
-  (void)state;
+TEST(unknown_units_are_listed) {
   asp_error error;
   double value;
   assert_int_equal(aspi_quantity_read("--dp", "5parsec", "length", &si, &value, &error), ASP_EARG);
@@ -53,8 +51,7 @@ static void unknown_units_are_listed(void **state) {
 }
 
 /* What is printed reads as the same number, and is as short as 15 digits allow. */
-static void numbers_go_round(void **state) {
-  (void)state;
+TEST(numbers_go_round) {
   char text[32], *end;
   srand(3);
   for (int i = 0; i < 10000; i++) {
@@ -69,10 +66,5 @@ static void numbers_go_round(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(units_are_powers_of_ten),
-      cmocka_unit_test(unknown_units_are_listed),
-      cmocka_unit_test(numbers_go_round),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

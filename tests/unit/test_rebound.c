@@ -31,8 +31,7 @@ static double yield_speed(const asp_pair *pair) {
   return pair->yield_stress / sqrt(2650 * pair->modulus);
 }
 
-static void composite_modulus_and_yield_speed(void **state) {
-  (void)state;
+TEST(composite_modulus_and_yield_speed) {
   asp_pair ti = pair_of("quartz", "ti-6al-4v", 0, 0), ni = pair_of("ard", "hastelloy-x", 0, 0);
   assert_near(ti.modulus, 46.2e9, 0.05e9);
   assert_near(ni.modulus, 54.8e9, 0.05e9);
@@ -41,8 +40,7 @@ static void composite_modulus_and_yield_speed(void **state) {
 }
 
 /* Without adhesion: elastic up to the yield speed, and no faster than it above. */
-static void elastic_then_plastic(void **state) {
-  (void)state;
+TEST(elastic_then_plastic) {
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0);
   double v_y = yield_speed(&pair);
   for (double v = 1e-6; v < 1e4; v *= 1.7)
@@ -68,8 +66,7 @@ static double integrated_spring(const asp_pair *pair, double v, double d_p) {
   return -v;
 }
 
-static void agrees_with_an_integrated_spring(void **state) {
-  (void)state;
+TEST(agrees_with_an_integrated_spring) {
   asp_pair pair = pair_of("quartz", "ti-6al-4v", 0, 0);
   static const double speeds[] = {1, 10, 18, 25, 60};
   for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
@@ -78,8 +75,7 @@ static void agrees_with_an_integrated_spring(void **state) {
 }
 
 /* Where the particle just sticks: the elastic capture speed of 10 um on Hastelloy X is 5.8 m/s. */
-static void capture_speed(void **state) {
-  (void)state;
+TEST(capture_speed) {
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0);
   double lo = 0.1, hi = 16;
   for (int i = 0; i < 60; i++) {
@@ -96,8 +92,7 @@ static void capture_speed(void **state) {
 
 /* With a constant yield stress, everything under d* = 6 gamma (a + b)/(rho v_y^2) sticks at any
  * speed. */
-static void smallest_that_rebounds(void **state) {
-  (void)state;
+TEST(smallest_that_rebounds) {
   static const struct {
     const char *wall;
     double d_star;
@@ -113,8 +108,7 @@ static void smallest_that_rebounds(void **state) {
 }
 
 /* CoR_T = 1 - (mu/2)(1 + CoR_N) sin 2 alpha', the law's other form. */
-static void tangential_form(void **state) {
-  (void)state;
+TEST(tangential_form) {
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0.3);
   for (double alpha = 0.01; alpha < M_PI_2; alpha += 0.03) {
     aspi_bounce b = bons(&pair, 100 * sin(alpha), 100 * cos(alpha), 1e-5, 0);
@@ -125,8 +119,7 @@ static void tangential_form(void **state) {
   assert_near(bons(&pair, 100, 100, 1e-5, 0).v_t2, 0, 0);
 }
 
-static void rate_dependent_yield(void **state) {
-  (void)state;
+TEST(rate_dependent_yield) {
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0, 0.3);
   for (double v = 1; v < 1000; v *= 10) {
     assert_near(bons(&pair, v, 0, 1e-5, 3.0e6).v_n2 / v, 0.25, 0.005);
@@ -135,8 +128,7 @@ static void rate_dependent_yield(void **state) {
 }
 
 /* Where nothing is elastic (v_y = 0), the ratio v_n1/v_y is taken as 1 and nothing returns. */
-static void no_yield_stress(void **state) {
-  (void)state;
+TEST(no_yield_stress) {
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0.3);
   pair.yield_stress = 0;
   aspi_bounce b = bons(&pair, 10, 10, 1e-5, 0);
@@ -145,8 +137,7 @@ static void no_yield_stress(void **state) {
 }
 
 /* 200 MPa up to 1000 K, 0.225 MPa/K less above, never below 0; whichever form the yield has. */
-static void hot_particles_yield_earlier(void **state) {
-  (void)state;
+TEST(hot_particles_yield_earlier) {
   static const double table[][2] = {{0, 200e6},    {1000, 200e6}, {1400, 110e6},
                                     {1888, 0.2e6}, {1889, 0},     {3000, 0}};
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
@@ -166,8 +157,7 @@ static void hot_particles_yield_earlier(void **state) {
 }
 
 /* An exponent other than 0.5 takes the same law by another road. */
-static void contact_area_exponent(void **state) {
-  (void)state;
+TEST(contact_area_exponent) {
   asp_pair pair = pair_of("quartz", "hastelloy-x", 0.8, 0);
   const asp_rebound_law *law = asp_rebound_find("bons", NULL);
   double v_y = yield_speed(&pair);
@@ -179,8 +169,7 @@ static void contact_area_exponent(void **state) {
   }
 }
 
-static void materials_of_ones_own(void **state) {
-  (void)state;
+TEST(materials_of_ones_own) {
   static const struct {
     const char *name;
     double value;
@@ -213,8 +202,7 @@ static void materials_of_ones_own(void **state) {
   asp_material_free(m);
 }
 
-static void pairs_are_checked(void **state) {
-  (void)state;
+TEST(pairs_are_checked) {
   asp_error error;
   const asp_material *quartz = aspi_materials_find(NULL, "quartz", NULL);
   asp_material *m = asp_material_create("unset", NULL);
@@ -245,8 +233,7 @@ static void pairs_are_checked(void **state) {
 
 /* What front ends know of a law: the getters give the record's own, and a keyword of several
  * parameters stands at each of them, in a row. */
-static void laws_describe_themselves(void **state) {
-  (void)state;
+TEST(laws_describe_themselves) {
   for (int i = 0; i < asp_rebound_count(); i++) {
     const asp_rebound_law *law = asp_rebound_at(i);
     assert_string_equal(asp_rebound_name(law), law->name);
@@ -272,8 +259,7 @@ static void laws_describe_themselves(void **state) {
   assert_string_equal(aspi_keyword_word(&constant->parameters[0]), "");
 }
 
-static void names_are_listed(void **state) {
-  (void)state;
+TEST(names_are_listed) {
   asp_error error;
   assert_null(asp_rebound_find("bonds", &error));
   for (int i = 0; i < asp_rebound_count(); i++) {
@@ -287,21 +273,5 @@ static void names_are_listed(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(composite_modulus_and_yield_speed),
-      cmocka_unit_test(elastic_then_plastic),
-      cmocka_unit_test(agrees_with_an_integrated_spring),
-      cmocka_unit_test(capture_speed),
-      cmocka_unit_test(smallest_that_rebounds),
-      cmocka_unit_test(tangential_form),
-      cmocka_unit_test(rate_dependent_yield),
-      cmocka_unit_test(no_yield_stress),
-      cmocka_unit_test(hot_particles_yield_earlier),
-      cmocka_unit_test(contact_area_exponent),
-      cmocka_unit_test(materials_of_ones_own),
-      cmocka_unit_test(pairs_are_checked),
-      cmocka_unit_test(laws_describe_themselves),
-      cmocka_unit_test(names_are_listed),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -4,16 +4,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/books/record.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
 #include <memory>
 
 #include "dem/error.h"
 #include "dem/text.h"
-extern "C" {
-#include <cmocka.h>
-}
+
+#include "check.h"
 
 using namespace asperity;
 
@@ -48,7 +44,7 @@ static std::unique_ptr<char[]> exact(const std::vector<char> &bytes, size_t leng
   return copy;
 }
 
-static void comes_back(void **) {
+TEST(comes_back) {
   const std::vector<char> record = example_record();
   const WallState was = example(), is = unpack(exact(record, record.size()).get());
   assert_true(is.settings == was.settings);
@@ -87,7 +83,7 @@ static void assert_says(const std::string &text, const std::string &word) {
 }
 
 /* The engine does not tell how long the record is. */
-static void flipped(void **) {
+TEST(flipped) {
   const std::vector<char> good = example_record();
   for (size_t i = 0; i < good.size(); i++)
     for (int bit = 0; bit < 8; bit++) {
@@ -97,7 +93,7 @@ static void flipped(void **) {
     }
 }
 
-static void cut(void **) {
+TEST(cut) {
   const std::vector<char> good = example_record();
   for (size_t length = 0; length < good.size(); length++)
     assert_says(wrong_of(good, length, length), "cut short");
@@ -113,7 +109,7 @@ static void sum_up(std::vector<char> &record) {
 }
 
 /* Wrong lengths and counts behind right checksums, as a faulty writer would leave them. */
-static void wrong_inside(void **) {
+TEST(wrong_inside) {
   const std::vector<char> good = example_record();
   int refused = 0;
   for (size_t i = VERSION; i < good.size(); i++)
@@ -128,7 +124,7 @@ static void wrong_inside(void **) {
   assert_true(refused > 500);
 }
 
-static void other_version(void **) {
+TEST(other_version) {
   std::vector<char> record = example_record();
   put(record, VERSION, 7);
   sum_up(record);
@@ -137,14 +133,14 @@ static void other_version(void **) {
 }
 
 /* What was written before records had a name began with counters. */
-static void no_name(void **) {
+TEST(no_name) {
   const std::vector<double> counters(100, 168);
   std::vector<char> record(sizeof(double) * counters.size());
   memcpy(record.data(), counters.data(), record.size());
   assert_says(wrong_of(record, record.size(), SIZE_MAX), "does not begin as one");
 }
 
-static void changes(void **) {
+TEST(changes) {
   const Settings now = {{"geometry", "mesh low"}, {"seed", "4"}, {"materials", ""}};
   assert_string_equal(describe_changes(now, now).c_str(), "");
   const Settings other = {{"geometry", "mesh low"}, {"seed", "5"}, {"materials", "quartz"}};
@@ -162,7 +158,7 @@ static void changes(void **) {
 }
 
 /* Engines state the length as an int. */
-void records_too_long_are_refused(void **) {
+TEST(records_too_long_are_refused) {
   check_record_size(2147483647);
   std::string said;
   try {
@@ -175,10 +171,5 @@ void records_too_long_are_refused(void **) {
 }
 
 int main() {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(comes_back), cmocka_unit_test(flipped),
-      cmocka_unit_test(cut),        cmocka_unit_test(wrong_inside),
-      cmocka_unit_test(no_name),    cmocka_unit_test(other_version),
-      cmocka_unit_test(changes),    cmocka_unit_test(records_too_long_are_refused)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

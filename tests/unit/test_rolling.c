@@ -35,8 +35,7 @@ static double by_definition(const double *z, ptrdiff_t n, double spacing, bool p
 
 /* A disc that rolls over the curve through points of any shape stays near their polygon's dilation:
  * the curve bulges less than a tenth of a spacing over its chord. */
-static void rolls_over_anything(void **state) {
-  (void)state;
+TEST(rolls_over_anything) {
   enum { FINE = 32 };
   static double fine[MOST * FINE];
   aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 2});
@@ -74,8 +73,7 @@ static void rolls_over_anything(void **state) {
 
 /* A disc much wider than the spacing touches a profile of sharp bends at points only: there its
  * path is the dilation of the points, to rounding, however wide it is. */
-static void wide_discs_rest_on_points(void **state) {
-  (void)state;
+TEST(wide_discs_rest_on_points) {
   enum { N = 600, SHAPES = 4 };
   static const double diameters[] = {20, 300, 1000, 9000, 40000};
   aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 4});
@@ -101,8 +99,7 @@ static void wide_discs_rest_on_points(void **state) {
 
 /* The path of a disc's center over a smooth profile, from few points, against the dilation of the
  * same profile by many: no slopes that crowd at multiples of the spacing. */
-static void discs_roll_over_curves(void **state) {
-  (void)state;
+TEST(discs_roll_over_curves) {
   enum { N = 512, FINE = 64 };
   double *z = malloc(N * FINE * sizeof *z), off = 0;
   for (int i = 0; i < N * FINE; i++) {
@@ -126,8 +123,7 @@ static void discs_roll_over_curves(void **state) {
   free(z);
 }
 
-static void ends_wrap_or_mirror(void **state) {
-  (void)state;
+TEST(ends_wrap_or_mirror) {
   double z[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 5};
   for (int periodic = 0; periodic < 2; periodic++) {
     asp_heights *p = asp_heights_create(z, 10, 1, 1, 1, periodic, NULL);
@@ -140,8 +136,7 @@ static void ends_wrap_or_mirror(void **state) {
 
 /* A closing fills valleys only, a second one changes hardly anything, and its slopes are those of
  * the path under a uniform center. */
-static void closing_is_a_closing(void **state) {
-  (void)state;
+TEST(closing_is_a_closing) {
   enum { N = 40000 };
   double below = 0, off = 0;
   asp_heights *p = aspi_profile_generate(0.2, 1, 0.01, N, 3, NULL);
@@ -164,8 +159,7 @@ static void closing_is_a_closing(void **state) {
   asp_heights_free(twice);
 }
 
-static void bad_diameters_are_named(void **state) {
-  (void)state;
+TEST(bad_diameters_are_named) {
   double z[5] = {0, 1, 0, 2, 0};
   asp_heights *p = asp_heights_create(z, 5, 1, 1, 1, true, NULL);
   static const double bad[] = {-1, 0, NAN, INFINITY, 5.5};
@@ -179,10 +173,5 @@ static void bad_diameters_are_named(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rolls_over_anything),    cmocka_unit_test(wide_discs_rest_on_points),
-      cmocka_unit_test(discs_roll_over_curves), cmocka_unit_test(ends_wrap_or_mirror),
-      cmocka_unit_test(closing_is_a_closing),   cmocka_unit_test(bad_diameters_are_named),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -5,22 +5,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
 #include "dem/text.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 
@@ -63,7 +54,7 @@ int predictions(double last) {
 }
 
 /* One small particle makes the predictions of others no shorter: of those in its block alone. */
-void dust_does_not_cost_others(void **) {
+TEST(dust_does_not_cost_others) {
   const int alike = predictions(1), dusty = predictions(1e-4);
   assert_true(alike >= 640 && dusty < alike + 2000);
 }
@@ -83,7 +74,7 @@ struct Resting : GrainsAtWall {
 };
 
 /* Whenever it is asked for, the force is that of a whole step. */
-void force_is_of_a_whole_step(void **) {
+TEST(force_is_of_a_whole_step) {
   Resting s;
   assert_true(near(s.force(), -10, 1e-12));
   s.grains.advance();
@@ -96,7 +87,7 @@ void force_is_of_a_whole_step(void **) {
 
 /* In the step after which the length of steps changes, and in the next one, forces are those of
  * their own length. */
-void steps_may_change_their_length(void **) {
+TEST(steps_may_change_their_length) {
   Resting s;
   s.wall->set_dt(s.grains.now, s.grains.dt = 0.02);
   assert_true(near(s.force(), -10, 1e-12));
@@ -106,7 +97,7 @@ void steps_may_change_their_length(void **) {
 }
 
 /* A step that goes back in time, or takes none, is an error. */
-void steps_must_not_go_back(void **) {
+TEST(steps_must_not_go_back) {
   for (double dt : {-0.01, static_cast<double>(nan(""))}) {
     Resting s;
     try {
@@ -119,7 +110,7 @@ void steps_must_not_go_back(void **) {
 }
 
 /* What left the group is not held any more, and the memory of it is gone. */
-void groups_end_rests(void **) {
+TEST(groups_end_rests) {
   Resting s;
   s.grains.mask[0] = 2;
   s.wall->reorder(s.grains.spheres());
@@ -130,7 +121,7 @@ void groups_end_rests(void **) {
 }
 
 /* A stuck grain that a command has moved is free; one that is where it was stays. */
-void commands_free_what_they_move(void **) {
+TEST(commands_free_what_they_move) {
   GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), STICKY, 2, 0.5, 0.1);
   for (size_t i = 0; i < 2; i++)
     s.grains.put(i, {3. * static_cast<double>(i), 0, 0.55}, {0, 0, -1});
@@ -198,7 +189,7 @@ struct Rod {
 
 /* A body that meets nothing keeps the engine's turn to the bit, in the second part of a run, too.
  */
-void walls_turn_no_body_that_they_do_not_touch(void **) {
+TEST(walls_turn_no_body_that_they_do_not_touch) {
   Rod s(DULL, 1.001), alone(DULL, 1000);
   for (Rod *rod : {&s, &alone}) {
     for (int d = 0; d < 3; d++)
@@ -213,7 +204,7 @@ void walls_turn_no_body_that_they_do_not_touch(void **) {
 }
 
 /* A stuck body that a command has moved is free, with a warning. */
-void commands_free_bodies_that_they_move(void **) {
+TEST(commands_free_bodies_that_they_move) {
   for (double moved : {0., 0.3}) {
     Rod s(STICKY, 0.51);
     s.body().v[2] = -2;
@@ -231,7 +222,7 @@ void commands_free_bodies_that_they_move(void **) {
 }
 
 /* What rests on a floor and sticks to a wall does not show as resting any more. */
-void what_sticks_rests_nowhere(void **) {
+TEST(what_sticks_rests_nowhere) {
   const Alone engine;
   std::unique_ptr<Wall> floor =
       make_wall(engine, std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), DULL);
@@ -249,7 +240,7 @@ void what_sticks_rests_nowhere(void **) {
 }
 
 /* A grain that a command has put deep into a wall is put onto it, and counted. */
-void overlaps_at_rest_are_guarded(void **) {
+TEST(overlaps_at_rest_are_guarded) {
   GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)), DULL, 1, 0.5, 0.01);
   s.grains.put(0, {0, 0, 0.41}, {0, 0, 0});
   s.grains.f[2] = -10;
@@ -260,7 +251,7 @@ void overlaps_at_rest_are_guarded(void **) {
 }
 
 /* A deposit that the flow takes off its wall is free as soon as it moves away. */
-void removed_deposits_are_free(void **) {
+TEST(removed_deposits_are_free) {
   GrainsAtWall s(std::unique_ptr<Shape>(new PlaneShape(2, 0, STILL)),
                  "materials quartz deposit freeze remove u_tau 100 gas_density 1.2 gas_viscosity "
                  "1.5e-5",
@@ -280,7 +271,7 @@ void removed_deposits_are_free(void **) {
 }
 
 /* A velocity that the engine has blown up ends the run. */
-void blown_up_velocities_are_told(void **) {
+TEST(blown_up_velocities_are_told) {
   for (double v : {1e300, HUGE_VAL, nan("")}) {
     Resting s;
     s.grains.v[2] = v;
@@ -294,7 +285,7 @@ void blown_up_velocities_are_told(void **) {
 }
 
 /* At the apex of a pyramid, where it touches all faces, a grain comes to rest. */
-void pits_hold_grains(void **) {
+TEST(pits_hold_grains) {
   const int faces = 8;
   std::vector<ContactTriangle> triangles;
   std::vector<int> ids;
@@ -328,7 +319,7 @@ void pits_hold_grains(void **) {
 }
 
 /* Fix recenter/kk shifts particles as recenter does, on a card and on the host. */
-void styles_are_known_without_suffix(void **) {
+TEST(styles_are_known_without_suffix) {
   for (const char *style : {"recenter", "recenter/kk", "recenter/kk/host"})
     assert_string_equal(asperity::without_suffix(style).c_str(), "recenter");
   assert_string_equal(asperity::without_suffix("rigid/small/kk").c_str(), "rigid/small");
@@ -337,24 +328,8 @@ void styles_are_known_without_suffix(void **) {
 } // namespace
 
 int main(int argc, char **argv) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(dust_does_not_cost_others),
-      cmocka_unit_test(force_is_of_a_whole_step),
-      cmocka_unit_test(steps_may_change_their_length),
-      cmocka_unit_test(steps_must_not_go_back),
-      cmocka_unit_test(groups_end_rests),
-      cmocka_unit_test(commands_free_what_they_move),
-      cmocka_unit_test(walls_turn_no_body_that_they_do_not_touch),
-      cmocka_unit_test(commands_free_bodies_that_they_move),
-      cmocka_unit_test(what_sticks_rests_nowhere),
-      cmocka_unit_test(overlaps_at_rest_are_guarded),
-      cmocka_unit_test(removed_deposits_are_free),
-      cmocka_unit_test(blown_up_velocities_are_told),
-      cmocka_unit_test(pits_hold_grains),
-      cmocka_unit_test(styles_are_known_without_suffix),
-  };
   MPI_Init(&argc, &argv);
-  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+  const int failed = RUN_TESTS(NULL, NULL);
   MPI_Finalize();
   return failed;
 }

@@ -63,8 +63,7 @@ static void check_weights(const char *own, const char *other, double d_p, double
   asp_wall_free((asp_wall *)others[1]);
 }
 
-static void weights_give_the_other_wall(void **state) {
-  (void)state;
+TEST(weights_give_the_other_wall) {
   static const char *const walls[][2] = {
       {WALL("surface rq 5um lambda_c 40um"), WALL("surface rq 5.6um lambda_c 38um")},
       {WALL("surface rq 5um lambda_c 40um spread visible plane"),
@@ -83,8 +82,7 @@ static void weights_give_the_other_wall(void **state) {
 }
 
 /* Every model, with some that draw again; `profile` has its laws by phi_r. */
-static void weights_of_every_model(void **state) {
-  (void)state;
+TEST(weights_of_every_model) {
   char words[2][120];
   int refused = 0;
   for (int i = 1; i < asp_spread_count(); i++) {
@@ -110,8 +108,7 @@ static void weights_of_every_model(void **state) {
 }
 
 /* A much steeper wall is refused: by its slope along the lay, too. */
-static void steeper_walls_are_refused(void **state) {
-  (void)state;
+TEST(steeper_walls_are_refused) {
   static const char *const walls[][2] = {
       {"surface sigma 5 rebound walton 0.8 0.2 0", "surface sigma %g rebound walton 0.8 0.2 0"},
       {"surface rq 3um lambda_c 40um 80um lay 1 2 0 rebound walton 0.8 0.2 0",
@@ -138,8 +135,7 @@ static void steeper_walls_are_refused(void **state) {
     }
 }
 
-static void walls_without_weights_are_refused(void **state) {
-  (void)state;
+TEST(walls_without_weights_are_refused) {
   static const char *const walls[] = {
       WALL("surface smooth"),
       WALL("surface rq 5um lambda_c 40um spread visible isotropic collisions single"),
@@ -216,8 +212,7 @@ static void run_on(double factor, uint64_t first, aspi_drawn *drawn,
 }
 
 /* The means over runs of what tells a value, with its spread, and of the value. */
-static void one_run_tells_of_others(void **state) {
-  (void)state;
+TEST(one_run_tells_of_others) {
   enum { RUNS = 12 };
   static aspi_drawn drawn[ROWS];
   double mean[2][ASPI_PARTS] = {{0}}, square[2][ASPI_PARTS] = {{0}}, se[2][ASPI_PARTS] = {{0}};
@@ -253,12 +248,5 @@ static void one_run_tells_of_others(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(weights_give_the_other_wall),
-      cmocka_unit_test(weights_of_every_model),
-      cmocka_unit_test(steeper_walls_are_refused),
-      cmocka_unit_test(walls_without_weights_are_refused),
-      cmocka_unit_test(one_run_tells_of_others),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

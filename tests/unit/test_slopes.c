@@ -20,8 +20,7 @@ static void fill_normal(double mean, double sd, size_t count) {
     values[i] = mean + sd * gsl_cdf_ugaussian_Pinv(((double)i + 0.5) / (double)count);
 }
 
-static void moments_of_known_laws(void **state) {
-  (void)state;
+TEST(moments_of_known_laws) {
   fill_normal(3, 2, N);
   aspi_moments m = aspi_moments_of(values, N);
   assert_near(m.mean, 3, 1e-9);
@@ -38,8 +37,7 @@ static void moments_of_known_laws(void **state) {
 }
 
 /* D_KL between normal laws: log(s2/s1) + (s1^2 + m^2)/(2 s2^2) - 1/2. */
-static void divergence_of_normal_laws(void **state) {
-  (void)state;
+TEST(divergence_of_normal_laws) {
   fill_normal(0, 1, N);
   assert_near(aspi_kl_normal(values, N, 0, 1), 0, 1e-4);
   assert_near(aspi_kl_normal(values, N, 0.5, 2), log(2) + 1.25 / 8 - 0.5, 2e-2);
@@ -52,8 +50,7 @@ static void divergence_of_normal_laws(void **state) {
 }
 
 /* The bias of D_KL that the header states, for independent values. */
-static void divergence_of_a_small_sample_is_as_stated(void **state) {
-  (void)state;
+TEST(divergence_of_a_small_sample_is_as_stated) {
   enum { COUNT = 2000, TRIALS = 200 };
   aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 4});
   double kl = 0, bins = 0, share[ASPI_HISTOGRAM];
@@ -69,8 +66,7 @@ static void divergence_of_a_small_sample_is_as_stated(void **state) {
 }
 
 /* A sine has slopes of known law: rms, no skewness, excess kurtosis -3/2. */
-static void slopes_of_a_wave(void **state) {
-  (void)state;
+TEST(slopes_of_a_wave) {
   enum { POINTS = 5000 };
   for (int i = 0; i < POINTS; i++)
     values[i] = 0.02 * sin(2 * ASP_PI * i / 1000.);
@@ -87,8 +83,7 @@ static void slopes_of_a_wave(void **state) {
 }
 
 /* Both forms of the size law, and the table between its nodes, against generated profiles. */
-static void size_law_is_that_of_the_geometry(void **state) {
-  (void)state;
+TEST(size_law_is_that_of_the_geometry) {
   static const struct {
     double phi_r, size, tolerance;
   } cases[] = {{0.05, 20, 0.03},  {0.25, 1, 0.02},  {0.25, 6, 0.055},
@@ -158,8 +153,7 @@ static double dilated_slope(const double *z, double r) {
   return slope;
 }
 
-static void sphere_law_is_that_of_the_geometry(void **state) {
-  (void)state;
+TEST(sphere_law_is_that_of_the_geometry) {
   static double noise[SIDE * SIDE];
   aspi_stream stream = aspi_stream_begin(&(asp_key){.seed = 2});
   for (size_t i = 0; i < SIDE * SIDE; i++)
@@ -182,13 +176,5 @@ static void sphere_law_is_that_of_the_geometry(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(moments_of_known_laws),
-      cmocka_unit_test(divergence_of_normal_laws),
-      cmocka_unit_test(divergence_of_a_small_sample_is_as_stated),
-      cmocka_unit_test(slopes_of_a_wave),
-      cmocka_unit_test(size_law_is_that_of_the_geometry),
-      cmocka_unit_test(sphere_law_is_that_of_the_geometry),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -1,6 +1,6 @@
 /* Laws that turn the particle: measured oblique impacts, rolling, sticking, energy; and the law of
  * Thornton & Ning against its limits, an integrated contact and the curve of Johnson, Kendall &
- * Roberts; and what a flow takes away.
+ * Roberts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "choice.h"
@@ -35,7 +35,7 @@ static const double still[3] = {0, 0, 0};
 
 /* Kharaz, Gorham & Salman 2001: 5 mm alumina on glass, 3.9 m/s, e 0.98, mu 0.092. Sliding needs no
  * other constant; between sliding and normal impact the contact gives way. */
-static void measured_oblique_impacts(void **state) {
+TEST(measured_oblique_impacts) {
   static const double measured[][2] = {{30.16, .9019}, {40.45, .8469}, {50.70, .7719},
                                        {59.78, .6883}, {69.92, .5964}, {80.37, .6728},
                                        {86.07, .7450}};
@@ -55,7 +55,7 @@ static void measured_oblique_impacts(void **state) {
 
 /* Where it sticks: 5/7 without spin, 2/7 of the surface's speed without flight, and the surface
  * goes on with -beta0 times its speed; a particle that rolls already loses nothing. */
-static void sticks_and_rolls(void **state) {
+TEST(sticks_and_rolls) {
   asp_wall *wall = smooth("walton 1 100 0");
   double v1[3] = {1, 0, -2}, r = 2.5e-3, down[3] = {0, 0, -2};
   asp_impact impact = hit(wall, NULL, v1, still);
@@ -76,7 +76,7 @@ static void sticks_and_rolls(void **state) {
 }
 
 /* Bons with spin: the law's own impulse as long as it is small, rolling where it is large. */
-static void bons_takes_part(void **state) {
+TEST(bons_takes_part) {
   static const asp_pair pair = {50e9, 2e9, 0, 0.1, 0, 0, 0};
   asp_wall *off = smooth("bons"), *on = smooth("bons spin on");
   for (double alpha = 0.05; alpha < 1.5; alpha += 0.05) {
@@ -98,7 +98,7 @@ static double energy(const double v[3], const double w[3], double r) {
 }
 
 /* Over random walls, constants, flights and spins, through later hits too. */
-static void energy_with_spin_never_grows(void **state) {
+TEST(energy_with_spin_never_grows) {
   static const char *const laws[] = {"walton", "bons", "thornton_ning"};
   static const asp_pair pair = {50e9, 2e8, 0, 0.4, 0, 0, 0};
   asp_surface *surface = asp_surface_create(0.15, 1, NULL);
@@ -182,14 +182,14 @@ static double integrated(double speed, double pressure) {
   return 1;
 }
 
-static void plastic_contact_as_integrated(void **state) {
+TEST(plastic_contact_as_integrated) {
   double pressure = 1e9, v_y = yields_at(pressure);
   for (double ratio = 1.1; ratio < 2000; ratio *= 2.5)
     assert_near(restitution(ratio * v_y, pressure, 0), integrated(ratio * v_y, pressure), 2e-3);
 }
 
 /* Their own closed form above yield, its limits, and the elastic contact that adheres. */
-static void limits_of_thornton_and_ning(void **state) {
+TEST(limits_of_thornton_and_ning) {
   double pressure = 1e9, v_y = yields_at(pressure);
   assert_near(restitution(0.999 * v_y, pressure, 0), 1, 1e-12);
   assert_near(restitution(1.0001 * v_y, pressure, 0), 1, 1e-3);
@@ -243,7 +243,7 @@ static double integrated_with_adhesion(double speed, double pressure, double gam
   return back > 0 ? sqrt(back / (2 * M_PI / 3 * R * R * R * RHO)) / speed : 0;
 }
 
-static void adhesive_plastic_contact_as_integrated(void **state) {
+TEST(adhesive_plastic_contact_as_integrated) {
   for (double pressure = 1e7; pressure < 2e9; pressure *= 10)
     for (double speed = 1e-3; speed < 50; speed *= 3)
       assert_near(restitution(speed, pressure, 0.5), integrated_with_adhesion(speed, pressure, 0.5),
@@ -265,7 +265,7 @@ static double best_of(double d_p, double density, const asp_pair *pair, double *
 
 /* Their figure 10 by a digest: 10 um, of the constants that give its v_y 0.62 and v_s 0.016 m/s at
  * 3.04 GPa. And ammonium fluorescein on silicon (Pasha et al. 2014, digest): about 1.6 m/s. */
-static void published_adhesive_plastic_impacts(void **state) {
+TEST(published_adhesive_plastic_impacts) {
   static const double figure[][3] = {{3.04e9, 1, 0.016}, {1e9, 0.9, 0.016}, {0.5e9, 0.5, 0.032}};
   double sticks;
   for (int i = 0; i < 3; i++) {
@@ -278,80 +278,6 @@ static void published_adhesive_plastic_impacts(void **state) {
   assert_near(sticks, 1.42, 0.03);
 }
 
-/* Shares of deposits that a flow leaves for 1 s, as measured (Reeks & Hall 2001, alumina on steel,
- * d 10 um, digitized), with surface energy 0.28: mean over adhesion of exp(-p t). And a rate that
- * is the rocking itself where the flow pulls more than the deposit holds. */
-static void a_flow_takes_away(void **state) {
-  static const asp_pair pair = {50e9, 2e9, 0.28, 0.3, 0, 0, 0};
-  static const double measured[][2] = {
-      {0.258, 0.996}, {0.381, 0.941}, {0.525, 0.886}, {1.497, 0.150}, {3.135, 0.061}};
-  enum { N = 20000 };
-  asp_particle particle = {.d_p = 10e-6, .density = 3950, .pair = &pair, .gas = ASP_GAS_FLOWS};
-  aspi_wall_choice choice = choice_of("bons");
-  choice.flow = (aspi_flow){.density = 1.2, .viscosity = 1.5e-5, .micron = 1e-6};
-  asp_wall *wall = wall_of(&choice);
-  for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
-    double stays = 0, by_draw = 0;
-    particle.u_tau = measured[i][0];
-    for (uint64_t tag = 1; tag <= N; tag++) {
-      asp_removal its = asp_wall_removal(wall, &particle, &(asp_key){1, 1, tag, 1, 0});
-      assert_true(its.rate >= 0 && its.rate <= 0.00658 * particle.u_tau * particle.u_tau / 1.5e-5);
-      stays += exp(-its.rate) / N;
-      by_draw += (double)!(its.rate > its.most) / N;
-    }
-    assert_near(stays, measured[i][1], 0.07);
-    assert_near(by_draw, stays, 0.02);
-  }
-  particle.u_tau = 100;
-  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate, 0.00658e4 / 1.5e-5,
-              1e-3);
-  particle.gas = ASP_GAS_AT_REST; /* whatever the words say */
-  asp_wall_free(wall);
-  choice.flow.u_tau = 100;
-  wall = wall_of(&choice);
-  assert_near(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate, 0, 0);
-  particle.gas = ASP_GAS_NONE;
-  assert_true(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate > 0);
-  asp_wall_free(wall);
-}
-
-/* One surface energy: a flow must pull as hard as JKR's (3/2) pi Gamma R, of the work of adhesion
- * Gamma by which Thornton & Ning's elastic sphere sticks (v_s = 1.84 (Gamma^5/(R^5 rho^3
- * E^2))^(1/6)), to take it away at the full rate. */
-static void holds_by_what_it_sticks(void **state) {
-  const asp_pair pair = {118e9, 1e12, 0.1, 0.3, 0, 0, 0};
-  const double r = 10e-6, rho = 7850, nu = 1.5e-5, u = 0.5, full = 0.00658 * u * u / nu;
-  double sticks, in_wall = r * u / nu;
-  best_of(2 * r, rho, &pair, &sticks);
-  double work = r * pow(pow(sticks / 1.84, 6) * pow(rho, 3) * 118e9 * 118e9, 0.2);
-  double pull = 10.45 * nu * nu * (pow(in_wall, 2.31) + 300 * in_wall * in_wall);
-  asp_particle particle = {
-      .d_p = 2 * r, .density = rho, .pair = &pair, .u_tau = u, .gas = ASP_GAS_FLOWS};
-  for (int i = 0; i < 2; i++) { /* with 0.7 of that, and 1.1 of it */
-    aspi_wall_choice choice = choice_of("thornton_ning");
-    choice.flow = (aspi_flow){.density = (i ? 1.1 : 0.7) * 1.5 * M_PI * work * r / pull,
-                              .viscosity = nu,
-                              .adhesion = 1,
-                              .spread = 1,
-                              .micron = 1e-6};
-    asp_wall *wall = wall_of(&choice);
-    assert_int_equal(asp_wall_removal(wall, &particle, &(asp_key){1, 1, 1, 1, 0}).rate < full, !i);
-    asp_wall_free(wall);
-  }
-}
-
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(measured_oblique_impacts),
-      cmocka_unit_test(sticks_and_rolls),
-      cmocka_unit_test(bons_takes_part),
-      cmocka_unit_test(energy_with_spin_never_grows),
-      cmocka_unit_test(plastic_contact_as_integrated),
-      cmocka_unit_test(limits_of_thornton_and_ning),
-      cmocka_unit_test(adhesive_plastic_contact_as_integrated),
-      cmocka_unit_test(published_adhesive_plastic_impacts),
-      cmocka_unit_test(a_flow_takes_away),
-      cmocka_unit_test(holds_by_what_it_sticks),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

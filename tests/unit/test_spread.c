@@ -108,8 +108,7 @@ static void check_density(const asp_spread_model *model, const aspi_spread_input
   gsl_integration_workspace_free(room);
 }
 
-static void densities_add_up_to_distributions(void **state) {
-  (void)state;
+TEST(densities_add_up_to_distributions) {
   gsl_set_error_handler_off();
   for_all(check_density);
 }
@@ -136,8 +135,7 @@ static void check_quantile(const asp_spread_model *model, const aspi_spread_inpu
   }
 }
 
-static void quantiles_invert_distributions(void **state) {
-  (void)state;
+TEST(quantiles_invert_distributions) {
   for_all(check_quantile);
 }
 
@@ -189,14 +187,12 @@ static void check_draws(const asp_spread_model *model, const aspi_spread_input *
   fail_at(model, view, "chi-square of draws", (double)have, 1, 0);
 }
 
-static void draws_follow_distributions(void **state) {
-  (void)state;
+TEST(draws_follow_distributions) {
   for_all(check_draws);
 }
 
 /* Faces that a particle flying up can hit, and the rest of the contract there. */
-static void flights_up(void **state) {
-  (void)state;
+TEST(flights_up) {
   for (int m = 0; m < asp_spread_count(); m++) {
     const asp_spread_model *model = asp_spread_at(m);
     if (!model->covers_rising || model->prepare)
@@ -244,8 +240,7 @@ static double visible_off(double a, double u) {
   return fabs(share_above(a, x, &whole) - (1 - u));
 }
 
-static void visible_is_accurate_for_every_a(void **state) {
-  (void)state;
+TEST(visible_is_accurate_for_every_a) {
   static const double a[] = {0, 1e-12, 1e-6, 1e-3, 0.05, 0.116, 0.3, 0.7, 1,   1.5, 2,
                              3, 4.5,   6,    8,    12,   20,    38,  1e2, 1e4, 1e8, 1e12};
   double worst = 0, worst_tail = 0;
@@ -274,8 +269,7 @@ static double distance(const char *one, const char *other, double sigma, double 
   return most;
 }
 
-static void models_agree_where_they_must(void **state) {
-  (void)state;
+TEST(models_agree_where_they_must) {
   assert_near(distance("rejection", "truncated", 0.2, 0.1), 0, 0);
   for (double tau = 0.25; tau < 8; tau *= 2)
     for (double sigma = 0.1; sigma > 1e-4; sigma /= 4)
@@ -293,8 +287,7 @@ static double excess(double delta, void *of) {
 }
 
 /* The divergences that the ten coefficients were fitted to, and no step at the boundary angle. */
-static void weibull_is_the_best_of_its_kind(void **state) {
-  (void)state;
+TEST(weibull_is_the_best_of_its_kind) {
   static const double known[][2] = {{0.25, 0.012}, {1, 0.0155}, {2, 0.020},   {3, 0.022},
                                     {4, 0.018},    {5, 0.011},  {6.25, 0.004}};
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(2000);
@@ -321,8 +314,7 @@ static double crowded(gsl_rng *rng, int i) {
 }
 
 /* The law with its cut, against the same in long double. */
-static void weibull_keeps_its_digits(void **state) {
-  (void)state;
+TEST(weibull_keeps_its_digits) {
   const asp_spread_model *weibull = asp_spread_find("weibull", NULL);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   for (int i = 0; i < 200000; i++) {
@@ -343,8 +335,7 @@ static void weibull_keeps_its_digits(void **state) {
 }
 
 /* The normal laws against GSL and the C library's erfc. */
-static void normal_laws_keep_their_digits(void **state) {
-  (void)state;
+TEST(normal_laws_keep_their_digits) {
   const asp_spread_model *normal = asp_spread_find("normal", NULL);
   const asp_spread_model *truncated = asp_spread_find("truncated", NULL);
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
@@ -365,8 +356,7 @@ static void normal_laws_keep_their_digits(void **state) {
 
 /* A particle that grazes may be taken to fly up by its last bits, which are much to a wall that is
  * as good as smooth. */
-static void grazing_upwards(void **state) {
-  (void)state;
+TEST(grazing_upwards) {
   const asp_spread_model *truncated = asp_spread_find("truncated", NULL);
   double last = -1;
   for (double alpha1 = 0.1; alpha1 > -0.1; alpha1 -= 0.001) {
@@ -377,8 +367,7 @@ static void grazing_upwards(void **state) {
   }
 }
 
-static void flat_walls_have_no_spread(void **state) {
-  (void)state;
+TEST(flat_walls_have_no_spread) {
   for (int m = 0; m < asp_spread_count(); m++) {
     const asp_spread_model *model = asp_spread_at(m);
     if (model->prepare)
@@ -394,8 +383,7 @@ static void flat_walls_have_no_spread(void **state) {
   }
 }
 
-static void unknown_names_list_what_there_is(void **state) {
-  (void)state;
+TEST(unknown_names_list_what_there_is) {
   asp_error error;
   assert_null(asp_spread_find("wiebull", &error));
   assert_int_equal(error.code, ASP_ENAME);
@@ -404,8 +392,7 @@ static void unknown_names_list_what_there_is(void **state) {
   assert_null(asp_spread_find(NULL, &error));
 }
 
-static void models_describe_themselves(void **state) {
-  (void)state;
+TEST(models_describe_themselves) {
   for (int m = 0; m < asp_spread_count(); m++) {
     const asp_spread_model *model = asp_spread_at(m);
     assert_ptr_equal(asp_spread_find(asp_spread_name(model), NULL), model);
@@ -414,20 +401,5 @@ static void models_describe_themselves(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(densities_add_up_to_distributions),
-      cmocka_unit_test(quantiles_invert_distributions),
-      cmocka_unit_test(draws_follow_distributions),
-      cmocka_unit_test(flights_up),
-      cmocka_unit_test(visible_is_accurate_for_every_a),
-      cmocka_unit_test(models_agree_where_they_must),
-      cmocka_unit_test(weibull_is_the_best_of_its_kind),
-      cmocka_unit_test(weibull_keeps_its_digits),
-      cmocka_unit_test(normal_laws_keep_their_digits),
-      cmocka_unit_test(grazing_upwards),
-      cmocka_unit_test(flat_walls_have_no_spread),
-      cmocka_unit_test(unknown_names_list_what_there_is),
-      cmocka_unit_test(models_describe_themselves),
-  };
-  return cmocka_run_group_tests(tests, NULL, release_all);
+  return RUN_TESTS(NULL, release_all);
 }

@@ -7,8 +7,7 @@
 #include <stdlib.h>
 
 /* Random123's own known-answer vectors for philox4x32 with 10 rounds. */
-static void philox_known_answers(void **state) {
-  (void)state;
+TEST(philox_known_answers) {
   static const struct {
     uint32_t key[2], counter[4], word[4];
   } known[] = {
@@ -31,8 +30,7 @@ static void philox_known_answers(void **state) {
   }
 }
 
-static void known_draws(void **state) {
-  (void)state;
+TEST(known_draws) {
   char path[1000], line[400], fix[40];
   snprintf(path, sizeof path, "%s/known_draws.txt", getenv("ASPERITY_TEST_DATA"));
   FILE *file = fopen(path, "r");
@@ -56,16 +54,14 @@ static void known_draws(void **state) {
   assert_int_equal(rows, 6);
 }
 
-static void name_of_a_wall_is_fnv1a(void **state) {
-  (void)state;
+TEST(name_of_a_wall_is_fnv1a) {
   assert_int_equal(asp_key_wall(""), 2166136261u);
   assert_int_equal(asp_key_wall("a"), 0xe40c292cu);
   assert_int_equal(asp_key_wall("foobar"), 0xbf9cf968u);
 }
 
 /* 1e6 draws: inside (0, 1), mean 1/2, variance 1/12, within five standard errors. */
-static void uniform_is_uniform(void **state) {
-  (void)state;
+TEST(uniform_is_uniform) {
   enum { TAGS = 100000, DRAWS = 10 };
   double sum = 0, square = 0, n = (double)TAGS * DRAWS;
   for (uint64_t tag = 0; tag < TAGS; tag++) {
@@ -84,11 +80,5 @@ static void uniform_is_uniform(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(philox_known_answers),
-      cmocka_unit_test(known_draws),
-      cmocka_unit_test(name_of_a_wall_is_fnv1a),
-      cmocka_unit_test(uniform_is_uniform),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

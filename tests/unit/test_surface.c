@@ -10,8 +10,7 @@
 #include "surface/size_law.h"
 #include "surface/slopes.h"
 
-static void numbers_of_the_wall(void **state) {
-  (void)state;
+TEST(numbers_of_the_wall) {
   asp_surface *s = asp_surface_create(5e-6, 40e-6, NULL);
   assert_non_null(s);
   assert_near(asp_surface_phi_r(s), 0.125, 1e-15);
@@ -21,8 +20,7 @@ static void numbers_of_the_wall(void **state) {
 }
 
 /* The profile column of the table that the closed form was fitted to (same run as the sphere's). */
-static void size_law_agrees_with_traced_profiles(void **state) {
-  (void)state;
+TEST(size_law_agrees_with_traced_profiles) {
   static const double table[][2] = {{0.25, 0.999}, {0.5, 0.986}, {0.75, 0.940}, {1, 0.883},
                                     {1.5, 0.777},  {2, 0.696},   {3, 0.584},    {4, 0.511},
                                     {6, 0.418},    {8, 0.362},   {12, 0.292},   {16, 0.250}};
@@ -36,8 +34,7 @@ static void size_law_agrees_with_traced_profiles(void **state) {
 }
 
 /* Leaving the filter out under a small kappa must not show as a step. */
-static void no_step_where_the_filter_begins(void **state) {
-  (void)state;
+TEST(no_step_where_the_filter_begins) {
   asp_surface *s = asp_surface_create(1, 10, NULL);
   double previous = asp_surface_slope(s, 0);
   for (double d_p = 0; d_p < 100; d_p += 0.01) {
@@ -49,8 +46,7 @@ static void no_step_where_the_filter_begins(void **state) {
 }
 
 /* A generated profile gives back R_q and lambda_c by what an instrument finds on it. */
-static void instruments_numbers_come_back(void **state) {
-  (void)state;
+TEST(instruments_numbers_come_back) {
   enum { POINTS = 1 << 20, PER_LAMBDA = 32 };
   const double r_q = 5, lambda_c = 40, spacing = lambda_c / PER_LAMBDA;
   asp_heights *profile = aspi_profile_generate(r_q, lambda_c, spacing, POINTS, 3, NULL);
@@ -72,8 +68,7 @@ static void instruments_numbers_come_back(void **state) {
 }
 
 /* R_Sm as another program counted it at cut-offs of 0.25, 0.8 and 2.5 mm, and back. */
-static void mean_spacings_come_back(void **state) {
-  (void)state;
+TEST(mean_spacings_come_back) {
   static const double counted[][2] = {{0.25e-3, 5.6}, {0.8e-3, 6.6}, {2.5e-3, 7.3}};
   for (int i = 0; i < 3; i++) {
     double lambda_c = 40e-6, factor = aspi_r_sm_factor(counted[i][0] / lambda_c);
@@ -85,8 +80,7 @@ static void mean_spacings_come_back(void **state) {
   assert_true(isnan(aspi_lambda_of_r_sm(1.3, 1)) && isnan(aspi_lambda_of_r_sm(0.11, 1)));
 }
 
-static void bad_numbers_are_named(void **state) {
-  (void)state;
+TEST(bad_numbers_are_named) {
   asp_error error;
   static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -100,8 +94,7 @@ static void bad_numbers_are_named(void **state) {
 }
 
 /* Where the table takes over from the closed form, and between its rows and columns. */
-static void no_step_where_the_table_begins(void **state) {
-  (void)state;
+TEST(no_step_where_the_table_begins) {
   for (double d_p = 0.05; d_p < 40; d_p *= 1.3) {
     asp_surface *below = asp_surface_create(0.25, 1, NULL);
     asp_surface *above = asp_surface_create(0.25 * (1 + 1e-6), 1, NULL);
@@ -123,8 +116,7 @@ static void no_step_where_the_table_begins(void **state) {
 }
 
 /* Contact gradients of dilated isotropic surfaces, made outside this project's code (+-0.4 %). */
-static void sphere_finds_less_slope(void **state) {
-  (void)state;
+TEST(sphere_finds_less_slope) {
   static const double known[][2] = {{0.5, 0.988}, {0.75, 0.937}, {1, 0.873}, {1.5, 0.756},
                                     {2, 0.669},   {3, 0.551},    {4, 0.476}, {8, 0.325}};
   asp_surface *s = asp_surface_create(0.04, 1, NULL);
@@ -144,8 +136,7 @@ static void sphere_finds_less_slope(void **state) {
 
 /* A lay: each axis has its own slope and curvature; with a long way along the lay the sphere is the
  * disc across it; and which length is named first does not matter. */
-static void lays_have_two_slopes(void **state) {
-  (void)state;
+TEST(lays_have_two_slopes) {
   asp_surface *s = asp_surface_create_lay(5, 40, 200, NULL),
               *turned = asp_surface_create_lay(5, 200, 40, NULL),
               *grooves = asp_surface_create_lay(5, 40, 4e6, NULL);
@@ -172,8 +163,7 @@ static void lays_have_two_slopes(void **state) {
 }
 
 /* Outside the tables there is an error, never a silent number. */
-static void ends_of_the_tables_are_errors(void **state) {
-  (void)state;
+TEST(ends_of_the_tables_are_errors) {
   asp_error error;
   assert_null(asp_surface_create(1.01, 1, &error));
   assert_int_equal(error.code, ASP_ERANGE);
@@ -195,8 +185,7 @@ static void ends_of_the_tables_are_errors(void **state) {
 
 /* A wall by its profile has the profile's own slopes at its bins, and goes from one to the next
  * without a turn. */
-static void profile_wall_has_the_profiles_slopes(void **state) {
-  (void)state;
+TEST(profile_wall_has_the_profiles_slopes) {
   enum { BINS = 12 };
   asp_heights *p = aspi_profile_generate(0.3, 1, 0.01, 20000, 3, NULL);
   asp_surface *s = asp_surface_create_profile(p, 0.02, 20, BINS, NULL);
@@ -232,8 +221,7 @@ static void profile_wall_has_the_profiles_slopes(void **state) {
   asp_heights_free(p);
 }
 
-static void bad_bins_are_named(void **state) {
-  (void)state;
+TEST(bad_bins_are_named) {
   asp_error error;
   asp_heights *p = aspi_profile_generate(0.3, 1, 0.1, 2000, 3, NULL);
   assert_null(asp_surface_create_profile(p, 0.05, 1, 10, &error));
@@ -249,8 +237,7 @@ static void bad_bins_are_named(void **state) {
 }
 
 /* Lengths over 200 decades, and denormal ones: a wall whose numbers are numbers, or none. */
-static void lengths_are_numbers_or_refused(void **state) {
-  (void)state;
+TEST(lengths_are_numbers_or_refused) {
   static const double lengths[] = {5e-324, 1e-320, 2.2e-308, 1e-200, 1e-101, 1e-100, 1e-50,
                                    1,      1e50,   1e100,    1e101,  1e300,  1.7e308};
   enum { N = sizeof lengths / sizeof *lengths };
@@ -281,8 +268,7 @@ static void lengths_are_numbers_or_refused(void **state) {
 }
 
 /* No division by zero or invalid operation on the way to a slope, for a program that traps them. */
-static void slopes_raise_no_trap(void **state) {
-  (void)state;
+TEST(slopes_raise_no_trap) {
   asp_heights *p = aspi_profile_generate(0.3, 1, 0.1, 2000, 3, NULL);
   asp_surface *walls[] = {asp_surface_create(0.1, 1, NULL),
                           asp_surface_create(0.25, 1, NULL),
@@ -308,8 +294,7 @@ static void slopes_raise_no_trap(void **state) {
 }
 
 /* A wall by its slope alone has no height, and a length only if that is given. */
-static void slope_alone(void **state) {
-  (void)state;
+TEST(slope_alone) {
   for (int i = 0; i < 2; i++) {
     asp_wall *wall = asp_wall_from_text(i ? "surface sigma 45 lambda_c 40um rebound constant 1 1"
                                           : "surface sigma 45 rebound constant 1 1",
@@ -328,8 +313,7 @@ static void slope_alone(void **state) {
 
 /* Between two rows of the table, at its sizes, the ratio to the closed form is the mean of theirs.
  */
-static void rows_of_the_table_are_joined_by_lines(void **state) {
-  (void)state;
+TEST(rows_of_the_table_are_joined_by_lines) {
   double over[3];
   for (int i = 0; i < 3; i++) {
     asp_surface *s = asp_surface_create(0.45 + 0.025 * i, 1, NULL);
@@ -342,7 +326,7 @@ static void rows_of_the_table_are_joined_by_lines(void **state) {
 }
 
 /* A sphere meets the slope of a wall by its words; the words come back from that slope. */
-static void words_of_a_slope_come_back(void **state) {
+TEST(words_of_a_slope_come_back) {
   const char *text = "surface rq 5um rdq 0.3 rebound walton 0.5 0.3 0 deposit off";
   asp_wall *wall = asp_wall_from_text(text, 1e-6, 1e-4, NULL);
   for (double d_p = 1e-6; d_p < 2e-4; d_p *= 10)
@@ -352,24 +336,5 @@ static void words_of_a_slope_come_back(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(slope_alone),
-      cmocka_unit_test(numbers_of_the_wall),
-      cmocka_unit_test(size_law_agrees_with_traced_profiles),
-      cmocka_unit_test(no_step_where_the_filter_begins),
-      cmocka_unit_test(instruments_numbers_come_back),
-      cmocka_unit_test(mean_spacings_come_back),
-      cmocka_unit_test(words_of_a_slope_come_back),
-      cmocka_unit_test(bad_numbers_are_named),
-      cmocka_unit_test(no_step_where_the_table_begins),
-      cmocka_unit_test(sphere_finds_less_slope),
-      cmocka_unit_test(lays_have_two_slopes),
-      cmocka_unit_test(ends_of_the_tables_are_errors),
-      cmocka_unit_test(profile_wall_has_the_profiles_slopes),
-      cmocka_unit_test(bad_bins_are_named),
-      cmocka_unit_test(lengths_are_numbers_or_refused),
-      cmocka_unit_test(slopes_raise_no_trap),
-      cmocka_unit_test(rows_of_the_table_are_joined_by_lines),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -57,8 +57,7 @@ static double slope_rms(const aspi_field *line) {
   return sqrt(square);
 }
 
-static void first_hits_agree_with_brute_force(void **state) {
-  (void)state;
+TEST(first_hits_agree_with_brute_force) {
   asp_heights *profile = aspi_profile_generate(0.2, 1, 1 / 16., 512, 5, NULL);
   aspi_field line = field_over(profile, 0.5); /* resolves 5 degrees */
   size_t n = (size_t)line.columns;
@@ -96,8 +95,7 @@ static bool fly(const aspi_field *field, double elevation, int way, aspi_spot *s
   return hit;
 }
 
-static void paths_agree_with_brute_force(void **state) {
-  (void)state;
+TEST(paths_agree_with_brute_force) {
   asp_heights *profile = aspi_profile_generate(0.3, 1, 1 / 16., 512, 6, NULL);
   aspi_field field = field_over(profile, 0.3);
   aspi_field line = field_over(profile, 0.3);
@@ -127,8 +125,7 @@ static void paths_agree_with_brute_force(void **state) {
 }
 
 /* A profile and its mirror image are the same wall for a particle that flies the other way. */
-static void flights_back_are_flights_over_the_mirror_image(void **state) {
-  (void)state;
+TEST(flights_back_are_flights_over_the_mirror_image) {
   enum { N = 1024 };
   asp_heights *there = aspi_profile_generate(0.3, 1, 1 / 16., N, 7, NULL);
   double mirrored[N];
@@ -156,8 +153,7 @@ static void flights_back_are_flights_over_the_mirror_image(void **state) {
 
 /* Rebound angles and shares of later hits that an independent tracer found (phi_r 0.125, d_p =
  * lambda_c/4; an ensemble). */
-static void rebounds_agree_with_an_independent_tracer(void **state) {
-  (void)state;
+TEST(rebounds_agree_with_an_independent_tracer) {
   static const double angle[] = {2, 10, 30};
   static const double known[][2] = {{25.22, 0.021}, {27.33, 0.073}, {37.31, 0.045}};
   aspi_judge_case subject = {
@@ -237,8 +233,7 @@ static void compare_few(double lambda_c, int across, double reference[3][180], d
   asp_heights_free(measured);
 }
 
-static void few_points_across_are_enough(void **state) {
-  (void)state;
+TEST(few_points_across_are_enough) {
   for (double lambda_c = 0.5; lambda_c < 3; lambda_c *= 4) {
     asp_heights *fine = plateau(lambda_c, ACROSS_FINE);
     double reference[3][180];
@@ -255,8 +250,7 @@ static void few_points_across_are_enough(void **state) {
 }
 
 /* The judge of a measured profile rolls, too: of one wall with few and with many points across. */
-static void few_points_across_judge_as_many(void **state) {
-  (void)state;
+TEST(few_points_across_judge_as_many) {
   double share[2][ASPI_ANGLE_BINS], mean[2];
   for (int many = 0; many < 2; many++) {
     asp_heights *measured = plateau(2, many ? ACROSS_FINE : 16);
@@ -282,8 +276,7 @@ static void few_points_across_judge_as_many(void **state) {
 
 /* The table of Gaussian walls against an ensemble that did not make it: shares below slopes, and
  * the mean tilt. */
-static void ensembles_agree_with_their_table(void **state) {
-  (void)state;
+TEST(ensembles_agree_with_their_table) {
   enum { PROFILES = 3, POINTS = 2048 * 48, SLOPES = 9 };
   static const double kappas[] = {0, 0.3, 1.1, 3.1}, as[] = {0.12, 0.45, 1.3, 4};
   const asp_spread_model *model = asp_spread_find("profile", NULL);
@@ -330,8 +323,7 @@ static void ensembles_agree_with_their_table(void **state) {
 
 /* A diameter a quarter of the way, on a scale of ratios, from one bin to the next takes that in a
  * quarter of the draws. */
-static void sizes_in_between_are_shared(void **state) {
-  (void)state;
+TEST(sizes_in_between_are_shared) {
   enum { N = 20000 };
   const aspi_sizes sizes = {1, 16, 3};
   double next = 0;
@@ -344,8 +336,7 @@ static void sizes_in_between_are_shared(void **state) {
   assert_near(next / N, 0.25, 4 * sqrt(0.25 * 0.75 / N));
 }
 
-static void bad_sizes_are_named(void **state) {
-  (void)state;
+TEST(bad_sizes_are_named) {
   asp_error error;
   asp_heights *profile = aspi_profile_generate(0.1, 1, 1 / 16., 1024, 1, NULL);
   static const aspi_sizes bad[] = {{0, 1, 2},   {NAN, 1, 2}, {1, 0.5, 2},
@@ -363,8 +354,7 @@ static void bad_sizes_are_named(void **state) {
 }
 
 /* A measured profile, which does not repeat, goes on as its mirror image. */
-static void measured_profiles(void **state) {
-  (void)state;
+TEST(measured_profiles) {
   static const double heights[] = {0, 1, 3, 2, 5, 4, 4.5, 1, 0.5, 2};
   asp_heights *profile = asp_heights_create(heights, 10, 1, 1, 1, false, NULL);
   aspi_field line = field_over(profile, 0);
@@ -379,8 +369,7 @@ static void measured_profiles(void **state) {
 
 /* A plateau across a plain. A flight that sinks over the plain leaves the map again and again, and
  * comes back over the plain: it never lands higher than it began. */
-static void flights_come_back_over_what_lies_below(void **state) {
-  (void)state;
+TEST(flights_come_back_over_what_lies_below) {
   enum { N = 32 };
   static double z[N * N];
   for (int i = 0; i < N * N; i++)
@@ -403,18 +392,5 @@ static void flights_come_back_over_what_lies_below(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(first_hits_agree_with_brute_force),
-      cmocka_unit_test(paths_agree_with_brute_force),
-      cmocka_unit_test(flights_back_are_flights_over_the_mirror_image),
-      cmocka_unit_test(rebounds_agree_with_an_independent_tracer),
-      cmocka_unit_test(flights_come_back_over_what_lies_below),
-      cmocka_unit_test(few_points_across_are_enough),
-      cmocka_unit_test(few_points_across_judge_as_many),
-      cmocka_unit_test(ensembles_agree_with_their_table),
-      cmocka_unit_test(sizes_in_between_are_shared),
-      cmocka_unit_test(bad_sizes_are_named),
-      cmocka_unit_test(measured_profiles),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

@@ -74,7 +74,7 @@ static double start_of_beads(double d, double share) {
 }
 
 /* Lines meet the next bead after the mean chord of a hexagon, pi times area over perimeter. */
-static void grains_lie_in_the_hollows_of_beads(void **state) {
+TEST(grains_lie_in_the_hollows_of_beads) {
   asp_wall *wall =
       wall_over("surface map beads rebound walton 0.5 0.5 0 deposit off", beads(0), 1, 2);
   double start[DRAWS];
@@ -88,7 +88,7 @@ static void grains_lie_in_the_hollows_of_beads(void **state) {
 }
 
 /* A floor that no grain reaches is no reason to refuse the beads, nor changes what lies on them. */
-static void depths_that_no_grain_reaches_do_not_count(void **state) {
+TEST(depths_that_no_grain_reaches_do_not_count) {
   asp_wall *wall =
       wall_over("surface map beads rebound walton 0.5 0.5 0 deposit off", beads(1), 1, 1);
   double start[DRAWS];
@@ -127,7 +127,7 @@ static const char plane[] =
 /* A small disc meets the steepest slope of each wave. A disc of radius r that closes the troughs
  * has the slope at which its path has a kink: its center, over the crest at x - r p/sqrt(1 + p^2),
  * is half a wave off. */
-static void discs_lie_between_waves(void **state) {
+TEST(discs_lie_between_waves) {
   const double a = 0.05, d = 2;
   asp_wall *wall = wall_over(plane, sine(a, 40), 0.05, d);
   double start[DRAWS], low = 0, high = 0.25;
@@ -159,7 +159,7 @@ static double slopes_hit(const asp_wall *wall, double d_p, double alpha1, int hi
 }
 
 /* A quarter of the length has steep waves, the rest of it flat ones. */
-static void profiles_count_by_their_length(void **state) {
+TEST(profiles_count_by_their_length) {
   asp_heights *both = chain(sine(0.05, 40), sine(0.02, 120));
   asp_wall *wall = wall_over(plane, both, 0.05, 0.05);
   double square = 2 * ASP_PI * ASP_PI * (0.25 * 0.05 * 0.05 + 0.75 * 0.02 * 0.02), start[DRAWS];
@@ -172,7 +172,7 @@ static void profiles_count_by_their_length(void **state) {
   asp_wall_free(wall);
 }
 
-static void a_profile_given_twice_is_that_profile(void **state) {
+TEST(a_profile_given_twice_is_that_profile) {
   asp_wall *once = wall_over(plane, sine(0.05, 40), 0.05, 2),
            *twice = wall_over(plane, chain(sine(0.05, 40), sine(0.05, 40)), 0.05, 2);
   const asp_surface *a = asp_wall_surface(once), *b = asp_wall_surface(twice);
@@ -192,7 +192,7 @@ static void a_profile_given_twice_is_that_profile(void **state) {
 }
 
 /* The same wall, but for what meets four ends: about 1 % of it. */
-static void pieces_of_a_profile_are_that_profile(void **state) {
+TEST(pieces_of_a_profile_are_that_profile) {
   enum { PIECES = 4, POINTS = 16384 };
   asp_heights *made = aspi_profile_generate(0.1, 1, 1. / 32, PIECES * POINTS, 7, NULL), *cut = NULL;
   asp_heights *whole = asp_heights_create(made->z, PIECES * POINTS, 1, 1. / 32, 0, false, NULL);
@@ -218,7 +218,7 @@ static void pieces_of_a_profile_are_that_profile(void **state) {
 
 /* The mean square slope along a line over the hexagons around the beads. Cells that the kinks
  * between beads cross are a fifth of the map; with means over them it is 13 % too low. */
-static void kinks_between_beads_are_sharp(void **state) {
+TEST(kinks_between_beads_are_sharp) {
   const double d = 2, s = 0.5 * (1 + d);
   asp_wall *wall = wall_over("surface map beads rebound constant 1 1", beads(0), d, d);
   double sum = 0, n = 0;
@@ -232,7 +232,7 @@ static void kinks_between_beads_are_sharp(void **state) {
 }
 
 /* Waves of length 1 and 3 in turn: three quarters of all places are in long ones. */
-static void places_are_more_often_in_long_valleys(void **state) {
+TEST(places_are_more_often_in_long_valleys) {
   enum { POINTS = 64, PAIRS = 20 };
   double z[4 * POINTS * PAIRS];
   for (int i = 0; i < 4 * POINTS * PAIRS; i++) {
@@ -249,13 +249,5 @@ static void places_are_more_often_in_long_valleys(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(grains_lie_in_the_hollows_of_beads),
-                                     cmocka_unit_test(depths_that_no_grain_reaches_do_not_count),
-                                     cmocka_unit_test(discs_lie_between_waves),
-                                     cmocka_unit_test(kinks_between_beads_are_sharp),
-                                     cmocka_unit_test(places_are_more_often_in_long_valleys),
-                                     cmocka_unit_test(profiles_count_by_their_length),
-                                     cmocka_unit_test(a_profile_given_twice_is_that_profile),
-                                     cmocka_unit_test(pieces_of_a_profile_are_that_profile)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return RUN_TESTS(NULL, NULL);
 }

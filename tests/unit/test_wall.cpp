@@ -4,8 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <algorithm>
 
 #include "contact/vector.h"
@@ -13,13 +11,7 @@
 #include "dem/shapes/mesh.h"
 #include "dem/shapes/primitive.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" { /* behind the others: it has a macro `fail`, which is a name of theirs */
-#include <cmocka.h>
-}
+#include "check.h"
 
 using namespace asperity;
 

@@ -142,8 +142,7 @@ static bool has_row(const char *within, const char *name) {
   return false;
 }
 
-static void every_word_has_a_row(void **state) {
-  (void)state;
+TEST(every_word_has_a_row) {
   bool all = true;
   for (const aspi_keyword *k = aspi_keywords; k->name; k++)
     all &= has_row(k->within, k->name);
@@ -182,8 +181,7 @@ static double deeds(const char *text) {
   return sum;
 }
 
-static void every_word_acts(void **state) {
-  (void)state;
+TEST(every_word_acts) {
   int idle = 0;
   for (int i = 0; i < ROWS; i++)
     if (!(fabs(deeds(rows[i].with) - deeds(rows[i].without)) > 1e-9)) {
@@ -194,8 +192,7 @@ static void every_word_acts(void **state) {
 }
 
 /* What the command cannot know either: with an angle, the lay counts from x toward y. */
-static void a_lay_is_that_of_the_particle(void **state) {
-  (void)state;
+TEST(a_lay_is_that_of_the_particle) {
   const double n[3] = {0, 0, 1}, v1[3] = {3, 0, -1}, lay[3] = {cos(0.5), sin(0.5), 0};
   asp_wall *by_angle = asp_wall_from_text(ROUGH " 90um lay 28.6478897565412" PAIR, 0, 0, NULL),
            *by_particle = asp_wall_from_text(ROUGH " 90um lay 0 1 0" PAIR, 0, 0, NULL);
@@ -240,10 +237,5 @@ static int write_files(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(every_word_has_a_row),
-      cmocka_unit_test(every_word_acts),
-      cmocka_unit_test(a_lay_is_that_of_the_particle),
-  };
-  return cmocka_run_group_tests(tests, write_files, NULL);
+  return RUN_TESTS(write_files, NULL);
 }
