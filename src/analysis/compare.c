@@ -16,6 +16,9 @@
 /* With fewer impacts than this at a place, those near it count too. */
 enum { ENOUGH = 20 };
 
+/* Between the borders of more measured rows than this hardly any impacts are equivalent. */
+enum { BORDERED_MOST = 1 << 17 };
+
 /* Every place is a bin of its own if nearly all places, this share, have this many measurements. */
 enum { ROWS_EACH = 4 };
 #define NEARLY_ALL 0.9
@@ -40,7 +43,7 @@ asp_code aspi_compare_grouping(const aspi_scatter *data, const aspi_compare_reac
                                aspi_grouping *grouping, asp_error *error) {
   const aspi_compare_reach *const reach[] = {&same, far};
   *grouping = (aspi_grouping){.width = 0};
-  for (int d = 0; d < 3; d++) {
+  for (int d = 0; d < 3 && data->count <= BORDERED_MOST; d++) {
     double *border = grouping->border[d] = malloc((4 * data->count + 1) * sizeof *border);
     if (!border)
       return no_memory(data->count, error);

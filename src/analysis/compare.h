@@ -32,7 +32,9 @@ typedef struct aspi_comparison {
 } aspi_comparison;
 
 /* The borders of all measured places and of their surroundings: model impacts between the same
- * borders are equivalent. To be freed. */
+ * borders are equivalent. With very many places, none: then those of equal numbers are. To be
+ * freed.
+ */
 asp_code aspi_compare_grouping(const aspi_scatter *data, const aspi_compare_reach *far,
                                aspi_grouping *grouping, asp_error *error);
 void aspi_compare_grouping_free(aspi_grouping *grouping);
