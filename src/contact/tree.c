@@ -10,7 +10,8 @@
 #include "contact/tree_nodes.h"
 #include "contact/vector.h"
 
-enum { LEAF = 4 };
+/* Triangles in a leaf at most; so few are one leaf. */
+enum { LEAF = 4, FEW = 24 };
 
 static float larger_f(float a, float b) {
   return a > b ? a : b;
@@ -115,7 +116,7 @@ static size_t build(ContactTree *tree, const ContactTriangle *triangles, Item *i
   const size_t at = tree->n_nodes++;
   ContactNode *node = &tree->nodes[at];
   *node = EMPTY;
-  if (count <= LEAF) {
+  if (count <= LEAF || tree->count <= FEW) {
     for (size_t i = 0; i < count; i++)
       wrap(&triangles[items[first + i].from], node);
     node->first = (int)first;

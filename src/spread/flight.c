@@ -173,6 +173,7 @@ static asp_code fill_map(aspi_field *f, const asp_heights *map, double d_p, cons
   aspi_ball *ball = aspi_ball_create(map, d_p, error);
   asp_code code = ball ? create(f, g->count[0], g->count[1], 3, error) : ASP_ENOMEM;
   double dx = map->step[0], dy = map->step[1], stride = (double)g->stride;
+  f->radius = 0.5 * d_p;
   f->step[0] = dx * stride;
   f->step[1] = dy * stride;
   f->wraps = map->periodic && g->count[0] == map->columns && g->count[1] == map->rows;
@@ -282,8 +283,76 @@ static bool approaches(const double way[3], const double gradient[2]) {
   return way[2] - gradient[0] * way[0] - gradient[1] * way[1] < 0;
 }
 
-/* The gradient at a place of a cell: interpolated between the contacts at its corners if the
- * particle approaches that face; else the gradient of the surface. */
+static ptrdiff_t clamped(double x, ptrdiff_t first, ptrdiff_t end) {
+  ptrdiff_t i = (ptrdiff_t)x;
+  return i < first ? first : i < end ? i : end - 1;
+}
+
+/* True if the sphere lies between two contacts somewhere in a cell: its contact moves by more than
+ * ASPI_KINK cells along an edge of it. */
+static bool has_kink(const aspi_field *f, const cell *c) {
+  double x = fmax(c->point[1][1] - c->point[0][1], c->point[3][1] - c->point[2][1]);
+  double y = fmax(c->point[2][2] - c->point[0][2], c->point[3][2] - c->point[1][2]);
+  return f->radius * x > (ASPI_KINK - 1) * f->step[0] ||
+         f->radius * y > (ASPI_KINK - 1) * f->step[1];
+}
+
+/* The change of a contact's gradient per step along an axis, toward the cell from its corner k: the
+ * same as from the next point behind the corner, unless there is a kink or an edge between them. */
+static double bend_at(const aspi_field *f, const cell *c, int k, int axis) {
+  const ptrdiff_t side = axis ? f->rows : f->columns;
+  ptrdiff_t at[2] = {(ptrdiff_t)c->at[0] + k % 2, (ptrdiff_t)c->at[1] + k / 2};
+  const int way = (axis ? k / 2 : k % 2) ? 1 : -1;
+  at[!axis] %= axis ? f->columns : f->rows;
+  at[axis] += way;
+  if (!f->wraps && (at[axis] < 0 || at[axis] >= side))
+    return 0;
+  at[axis] = (at[axis] + side) % side;
+  const float *behind = f->z + f->stride * (f->columns * at[1] + at[0]);
+  double change = c->point[k][1 + axis] - behind[1 + axis];
+  return -way * f->radius * change > (ASPI_KINK - 1) * f->step[axis] ? 0 : -way * change;
+}
+
+/* The highest tangent plane of the corners of a cell at a place is of one on the same side of the
+ * kink; the gradient changes toward it as before. */
+static aspi_touch highest_tangent(const aspi_field *f, const cell *c, double u, double v) {
+  int best = 0;
+  double most = -INFINITY;
+  for (int k = 0; k < 4; k++) {
+    double z = c->z[k] + c->point[k][1] * (u - k % 2) * f->step[0] +
+               c->point[k][2] * (v - k / 2) * f->step[1];
+    best = z > most ? k : best;
+    most = fmax(z, most);
+  }
+  double x = u - best % 2, y = v - best / 2;
+  double p = x * bend_at(f, c, best, 0), q = y * bend_at(f, c, best, 1);
+  return (aspi_touch){most + 0.5 * (p * x * f->step[0] + q * y * f->step[1]), c->point[best][1] + p,
+                      c->point[best][2] + q};
+}
+
+/* The contact at a place of a cell: between those at its corners, or in a kink that of one of them.
+ * The mean of the heights by the corners' heights and by their tangent planes is exact for a
+ * parabola. */
+static aspi_touch touch_in(const aspi_field *f, const cell *c, double u, double v) {
+  double p[4], q[4], z[4];
+  if (has_kink(f, c))
+    return highest_tangent(f, c, u, v);
+  for (int k = 0; k < 4; k++) {
+    p[k] = c->point[k][1];
+    q[k] = c->point[k][2];
+    z[k] = c->z[k] + 0.5 * (p[k] * (u - k % 2) * f->step[0] + q[k] * (v - k / 2) * f->step[1]);
+  }
+  return (aspi_touch){bilinear(z, u, v), bilinear(p, u, v), bilinear(q, u, v)};
+}
+
+aspi_touch aspi_field_at(const aspi_field *f, const double place[2]) {
+  const ptrdiff_t at[2] = {clamped(place[0], 0, f->cells[0]), clamped(place[1], 0, f->cells[1])};
+  cell c = cell_at(f, at);
+  return touch_in(f, &c, place[0] - c.at[0], place[1] - c.at[1]);
+}
+
+/* The gradient at a place of a cell: that of the contact if the particle approaches that face; else
+ * that of the surface. */
 static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
                         double gradient[2]) {
   if (f->axes == 1) {
@@ -295,12 +364,8 @@ static void gradient_at(const aspi_field *f, const cell *c, double u, double v, 
   gradient[1] = ((1 - u) * (c->z[2] - c->z[0]) + u * (c->z[3] - c->z[1])) / f->step[1];
   if (!aspi_field_has_gradients(f))
     return;
-  double p[4], q[4];
-  for (int k = 0; k < 4; k++) {
-    p[k] = c->point[k][1];
-    q[k] = c->point[k][2];
-  }
-  const double contact[2] = {bilinear(p, u, v), bilinear(q, u, v)};
+  const aspi_touch touch = touch_in(f, c, u, v);
+  const double contact[2] = {touch.p, touch.q};
   if (approaches(way, contact)) {
     gradient[0] = contact[0];
     gradient[1] = contact[1];
@@ -309,11 +374,6 @@ static void gradient_at(const aspi_field *f, const cell *c, double u, double v, 
 
 aspi_spot aspi_field_enter(const aspi_field *f, double u, double v) {
   return (aspi_spot){{u * (double)f->cells[0], v * (double)f->cells[1]}, f->top, false};
-}
-
-static ptrdiff_t clamped(double x, ptrdiff_t first, ptrdiff_t end) {
-  ptrdiff_t i = (ptrdiff_t)x;
-  return i < first ? first : i < end ? i : end - 1;
 }
 
 /* Continues a flight that has left the field along an axis at the opposite edge. */

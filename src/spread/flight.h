@@ -4,7 +4,7 @@
 #ifndef ASP_SPREAD_FLIGHT_H
 #define ASP_SPREAD_FLIGHT_H
 
-#include "asperity_internal.h"
+#include "surface/ball.h"
 
 /* Maxima over blocks of cells, so that a flight can skip cells: level k has one maximum per block
  * of 4^k x 4^k cells. A tile of 4 x 4 blocks is contiguous in memory. */
@@ -21,6 +21,7 @@ typedef struct aspi_field {
   ptrdiff_t columns, rows, cells[2]; /* cells between points along x and y */
   int axes;                          /* 1 for one row, else 2 */
   double step[2];
+  double radius;    /* of the sphere; for kinks */
   bool wraps;       /* repeats beyond its edges */
   ptrdiff_t stride; /* numbers per point: 1, or 3 with the gradient of the contact */
   float *z;         /* numbers of all points, row after row; then the maxima */
@@ -32,12 +33,17 @@ typedef struct aspi_field {
   double fall_least; /* beams are followed no flatter than this; see aspi_fall_least */
 } aspi_field;
 
+/* Where a sphere lies between two contacts, its contact moves by more steps than this while its
+ * center moves by one. */
+#define ASPI_KINK 3.0
+
 /* The slope at which a beam falls by 16 rms heights over this length, so that its first hits lie on
  * many peaks. */
 double aspi_fall_least(double r_q, double length);
 
-static inline double aspi_field_length(const aspi_field *field) {
-  return (double)field->cells[0] * field->step[0];
+/* The length of a side. */
+static inline double aspi_field_length(const aspi_field *field, int axis) {
+  return (double)field->cells[axis] * field->step[axis];
 }
 
 /* False: the gradient at a hit comes from the heights. */
@@ -67,6 +73,9 @@ void aspi_field_scale(aspi_field *row, double factor);
 double aspi_field_slope(const aspi_field *field, size_t i);
 double aspi_field_fall(const aspi_field *field, double alpha1);
 void aspi_field_first_hits(const aspi_field *field, double fall, double *weight);
+
+/* The center and its contact over a place of a map, in points: 0 <= at <= cells. */
+aspi_touch aspi_field_at(const aspi_field *field, const double at[2]);
 
 /* A particle on the field, x and y in points. */
 typedef struct aspi_spot {

@@ -73,6 +73,9 @@ struct asp_spread_model {
    * false when it leaves the wall. NULL for models without positions. */
   bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
                  double *delta);
+  /* The heights over which it follows those of a diameter, over the map or over each profile; NULL:
+   * there is no such part. NULL for models without positions. */
+  const aspi_field *(*field)(const void *data, int bin, int part);
 };
 
 /* One delta of the model, from the stream: a first face where it follows particles; false if there

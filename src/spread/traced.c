@@ -152,10 +152,10 @@ static int choose(const relief *wall, int count, double *u) {
   double all = 0;
   int i = 0;
   for (int k = 0; k < count; k++)
-    all += aspi_field_length(&wall[k].field);
-  for (*u *= all; i + 1 < count && *u >= aspi_field_length(&wall[i].field); i++)
-    *u -= aspi_field_length(&wall[i].field);
-  *u = fmin(*u / aspi_field_length(&wall[i].field), 1 - DBL_EPSILON);
+    all += aspi_field_length(&wall[k].field, 0);
+  for (*u *= all; i + 1 < count && *u >= aspi_field_length(&wall[i].field, 0); i++)
+    *u -= aspi_field_length(&wall[i].field, 0);
+  *u = fmin(*u / aspi_field_length(&wall[i].field, 0), 1 - DBL_EPSILON);
   return i;
 }
 
@@ -214,6 +214,11 @@ static bool trace_hit(const aspi_spread_input *view, aspi_stream *stream, aspi_p
   return true;
 }
 
+static const aspi_field *field_of(const void *data, int bin, int part) {
+  const fields *t = data;
+  return part < t->fields ? &t->wall[t->fields * bin + part].field : NULL;
+}
+
 const asp_spread_model aspi_spread_traced = {
     .name = "traced",
     .summary = "the particle followed over the heights of the wall, hit by hit",
@@ -223,4 +228,5 @@ const asp_spread_model aspi_spread_traced = {
     .prepare = prepare,
     .release = release,
     .follow = trace_hit,
+    .field = field_of,
 };

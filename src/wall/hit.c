@@ -4,6 +4,34 @@
 #include "wall/hit.h"
 #include "wall/body.h"
 
+aspi_tilt aspi_tilt_at(const asp_wall *wall, const aspi_slopes_along *slopes, double delta,
+                       const aspi_path *path, aspi_stream *stream) {
+  double sine = sin(delta), cosine = cos(delta);
+  if (!wall->isotropic)
+    return (aspi_tilt){{-sine, 0, cosine}, delta, 0};
+  double q = wall->has_cross_slope && path
+                 ? path->q
+                 : slopes->beta * (sine / cosine) + slopes->sd * aspi_stream_normal(stream),
+         side = q * cosine;
+  return (aspi_tilt){scaled((vec){-sine, -side, cosine}, 1 / sqrt(1 + side * side)), delta, q};
+}
+
+/* Turns v off the wall by some last bits, taken from the speed along the wall, so that the kinetic
+ * energy does not grow. */
+static vec turned_off(const frame *f, vec v) {
+  for (int i = 0; i < 8 && !clearly_leaves(v, f->n); i++) {
+    double speed = sqrt(dot(v, v)), step = 4 * (double)(1 << i) * DBL_EPSILON;
+    v = plus(scaled(v, 1 - step), step * speed, f->n);
+  }
+  return v;
+}
+
+/* Makes sure that v leaves the wall in the lab frame, too: a grazing one may point into it by its
+ * last bits. */
+vec aspi_hit_leaving(const frame *f, vec v) {
+  return clearly_leaves(v, f->n) ? v : turned_off(f, v);
+}
+
 /* Applies the rebound law to the speeds of approach, of the center along the face, and of the
  * surface along it; true if the particle deposits. */
 static bool sticks(const asp_wall *wall, const asp_particle *particle, double density,

@@ -1,6 +1,7 @@
 /* Tables of valleys and faces; see valleys.h.
  *
- * Lines go straight over a map in 16 directions; a profile is one line. The crests on them are what
+ * Lines go over the heights of the center that flights go over, too: straight over a map in 16
+ * directions; a profile is one line. The crests on them are what
  * a moving sphere must climb, their kinks and smooth troughs are its faces. A sphere that starts
  * slowly goes round what is steep: along more lines it is pushed, and settles across its way at
  * each step. The steepest slope of such a line between a trough and the next crest is the slope at
@@ -10,9 +11,7 @@
 #include "wall/valleys.h"
 #include "base/error.h"
 #include "base/grow.h"
-#include "surface/ball.h"
 #include "surface/heights.h"
-#include "surface/rolling.h"
 #include "surface/size_law.h"
 
 #include <math.h>
@@ -24,17 +23,14 @@ enum { DIRECTIONS = 16, PER_LAMBDA = 24, STRAIGHT = 32768, PUSHED = 16384, TRIES
 /* With a lay valleys are longer, and lines are longer by as much, but no more than this. */
 #define LONGER_MOST 4.0
 
-/* Most points of the path over a profile, unless it has more. */
-#define PATH_MOST ((size_t)131072)
-
 /* Steps across the way while a sphere settles, and halvings of the last one. */
 enum { SETTLES_MOST = 64, HALVINGS = 3 };
 
+/* Starts in the list per correlation length of a valley. */
+#define STARTS 6.0
+
 /* Waves lower than this share of the rms height along a line are no valleys. */
 #define LOW 0.1
-
-/* At a kink the contact moves by more steps than this while the center moves by one. */
-#define KINK 3.0
 
 /* Fractions of two numbers that spread places evenly over a square (Roberts' sequence). */
 #define SPREAD_X 0.7548776662466927
@@ -59,11 +55,20 @@ struct aspi_valleys {
   class class[];
 };
 
-/* Heights of the center along a line, and their slopes along it and across it. */
+/* Heights of the center along a line, and their slopes along it and across it. kink: the contact
+ * jumps by more than this; every: points per start of a valley. */
 typedef struct line {
-  size_t n;
-  double step, radius, *z, *p, *q;
+  size_t n, every;
+  double step, radius, kink, *z, *p, *q;
 } line;
+
+/* Room for so many points, in one block at l->z; false: out of memory. */
+static bool make_room(line *l, size_t points) {
+  l->z = aspi_allocate(3 * points);
+  l->p = l->z ? l->z + points : NULL;
+  l->q = l->z ? l->p + points : NULL;
+  return l->z;
+}
 
 /* ---- rows of a line ---- */
 
@@ -88,7 +93,7 @@ static double contact(const line *l, size_t i) {
 }
 
 static bool is_kink(const line *l, size_t i) {
-  return i + 1 < l->n && contact(l, i + 1) - contact(l, i) > (KINK - 1) * l->step;
+  return i + 1 < l->n && contact(l, i + 1) - contact(l, i) > l->kink;
 }
 
 static bool add_kinks(class *c, const line *l) {
@@ -101,23 +106,35 @@ static bool add_kinks(class *c, const line *l) {
   return ok;
 }
 
-static bool add_start(class *c, const line *l, size_t trough, size_t crest) {
-  double steepest = 0;
-  for (size_t i = trough; i < crest; i++)
-    steepest = fmax(steepest, l->z[i + 1] - l->z[i]);
-  return add(&c->start, steepest / l->step);
+/* Points of a line: the crest before a trough, the trough, and the crest behind it. */
+typedef struct valley {
+  size_t from, trough, crest;
+} valley;
+
+static size_t steepest(const line *l, const valley *v) {
+  size_t at = v->trough;
+  for (size_t i = v->trough; i < v->crest; i++)
+    at = l->p[i] > l->p[at] ? i : at;
+  return at;
+}
+
+/* A sphere that lies somewhere lies in a valley in proportion to its length: one start per length.
+ */
+static bool add_start(class *c, const line *l, const valley *v) {
+  bool ok = true;
+  for (size_t i = v->from; i < v->crest && ok; i += l->every)
+    ok = add(&c->start, l->p[steepest(l, v)]);
+  return ok;
 }
 
 /* The height of a crest; and a face, if its trough is no kink. */
-static bool add_crest(class *c, const line *l, size_t trough, size_t crest) {
-  size_t steepest = trough;
+static bool add_crest(class *c, const line *l, const valley *v) {
   bool kink = false;
-  for (size_t i = trough; i < crest; i++)
-    steepest = l->p[i] > l->p[steepest] ? i : steepest;
-  for (size_t i = trough > 2 ? trough - 2 : 0; i < trough + 2; i++)
+  for (size_t i = v->trough > 2 ? v->trough - 2 : 0; i < v->trough + 2; i++)
     kink = kink || is_kink(l, i);
-  return add(&c->height, l->z[crest] - l->z[trough]) &&
-         (kink || add_face(c, l, trough, steepest, (double)(crest - trough) * l->step));
+  return add(&c->height, l->z[v->crest] - l->z[v->trough]) &&
+         (kink ||
+          add_face(c, l, v->trough, steepest(l, v), (double)(v->crest - v->trough) * l->step));
 }
 
 static double rms(const double *z, size_t n) {
@@ -129,25 +146,26 @@ static double rms(const double *z, size_t n) {
   return sqrt(square);
 }
 
-/* Hands over troughs, each with the crest behind it. */
+/* Hands over the valleys but the first, which may be cut off. */
 static bool find_valleys(class *c, const line *l,
-                         bool (*take)(class *c, const line *l, size_t trough, size_t crest)) {
+                         bool (*take)(class *c, const line *l, const valley *v)) {
   double low = LOW * rms(l->z, l->n);
-  size_t trough = 0, crest = 0;
+  valley v = {0, 0, 0};
   bool rises = false, begun = false, ok = true;
   for (size_t i = 0; i < l->n && ok; i++) {
-    if (!rises && l->z[i] < l->z[trough])
-      trough = i;
-    if (rises && l->z[i] > l->z[crest])
-      crest = i;
-    if (rises && l->z[i] < l->z[crest] - low) {
-      ok = !begun || take(c, l, trough, crest); /* not the first, which may be cut off */
+    if (!rises && l->z[i] < l->z[v.trough])
+      v.trough = i;
+    if (rises && l->z[i] > l->z[v.crest])
+      v.crest = i;
+    if (rises && l->z[i] < l->z[v.crest] - low) {
+      ok = !begun || take(c, l, &v);
       begun = true;
       rises = false;
-      trough = i;
-    } else if (!rises && l->z[i] > l->z[trough] + low) {
+      v.from = v.crest;
+      v.trough = i;
+    } else if (!rises && l->z[i] > l->z[v.trough] + low) {
       rises = true;
-      crest = i;
+      v.crest = i;
     }
   }
   return ok;
@@ -159,29 +177,30 @@ static bool add_straight(class *c, const line *l) {
 
 /* ---- lines over a map ---- */
 
-/* A sphere on its course over a map. */
+/* A course over the heights of a center; places by lengths. */
 typedef struct course {
-  const asp_heights *map;
-  aspi_ball_search search;
+  const aspi_field *over;
   double from[2], along[2], step;
 } course;
 
-static double side(const asp_heights *map, int axis) {
-  return (double)(axis ? map->rows : map->columns) * map->step[axis];
-}
-
 /* Touches the map x along the course and y across it; false beyond its edges. */
-static bool touch_at(course *c, double x, double y, aspi_touch *touch) {
+static bool touch_at(const course *c, double x, double y, aspi_touch *touch) {
+  const aspi_field *over = c->over;
   double at[2] = {c->from[0] + x * c->along[0] - y * c->along[1],
                   c->from[1] + x * c->along[1] + y * c->along[0]};
   for (int a = 0; a < 2; a++) {
-    double length = side(c->map, a), out = floor(at[a] / length);
-    at[a] = c->map->periodic ? fmin(fmax(at[a] - length * out, 0), length) : at[a];
-    if (!c->map->periodic && !(at[a] >= 0 && at[a] <= length - c->map->step[a]))
+    double cells = (double)over->cells[a];
+    at[a] /= over->step[a];
+    at[a] -= over->wraps ? cells * floor(at[a] / cells) : 0;
+    if (!(at[a] >= 0 && at[a] <= cells))
       return false;
   }
-  *touch = aspi_ball_at(&c->search, at[0], at[1]);
+  *touch = aspi_field_at(over, at);
   return true;
+}
+
+static double along(const course *c, const aspi_touch *touch) {
+  return touch->p * c->along[0] + touch->q * c->along[1];
 }
 
 static double across(const course *c, const aspi_touch *touch) {
@@ -189,8 +208,8 @@ static double across(const course *c, const aspi_touch *touch) {
 }
 
 /* Lets the sphere go down across its course, from *y on. The bottom may be a kink: it is where the
- * tangents at both sides of it meet. */
-static bool settle(course *c, double x, double *y, double *z) {
+ * tangents at both sides of it meet, and the slope is that along the kink. */
+static bool settle(const course *c, double x, double *y, double *z, double *slope) {
   aspi_touch low, high = {0, 0, 0}, next;
   if (!touch_at(c, x, *y, &low))
     return false;
@@ -205,35 +224,38 @@ static bool settle(course *c, double x, double *y, double *z) {
     *y += past ? 0 : way;
   }
   double a = across(c, &low), b = across(c, &high), part = 0;
-  if (a * way < 0 && b * way > 0)
-    part = (high.height - low.height - b * way) / ((a - b) * way);
-  part = fmin(fmax(part, 0), 1);
+  *slope = along(c, &low);
+  if (a * way < 0 && b * way > 0) {
+    part = fmin(fmax((high.height - low.height - b * way) / ((a - b) * way), 0), 1);
+    *slope = (b * *slope - a * along(c, &high)) / (b - a);
+  }
   *z = low.height + part * a * way;
   *y += part * way;
   return true;
 }
 
 /* Follows the course over at most so many points. */
-static void follow(course *c, line *l, size_t most, bool pushed) {
+static void follow(const course *c, line *l, size_t most, bool pushed) {
   double y = 0;
   for (l->n = 0; l->n < most; l->n++) {
     double x = (double)l->n * l->step;
+    size_t i = l->n;
     aspi_touch touch;
-    if (pushed ? !settle(c, x, &y, &l->z[l->n]) : !touch_at(c, x, 0, &touch))
+    if (pushed ? !settle(c, x, &y, &l->z[i], &l->p[i]) : !touch_at(c, x, 0, &touch))
       return;
+    l->q[i] = pushed ? 0 : across(c, &touch);
     if (pushed)
       continue;
-    l->z[l->n] = touch.height;
-    l->p[l->n] = touch.p * c->along[0] + touch.q * c->along[1];
-    l->q[l->n] = across(c, &touch);
+    l->z[i] = touch.height;
+    l->p[i] = along(c, &touch);
   }
 }
 
 /* Lines of a course from many places, of so many points in all. */
 static bool cover(class *k, course *c, line *l, double points, bool pushed) {
   for (int i = 1; i < TRIES_MOST && points >= 1; i++) {
-    c->from[0] = fmod(i * SPREAD_X, 1) * side(c->map, 0);
-    c->from[1] = fmod(i * SPREAD_Y, 1) * side(c->map, 1);
+    c->from[0] = fmod(i * SPREAD_X, 1) * aspi_field_length(c->over, 0);
+    c->from[1] = fmod(i * SPREAD_Y, 1) * aspi_field_length(c->over, 1);
     follow(c, l, (size_t)points, pushed);
     if (!(pushed ? find_valleys(k, l, add_start) : add_straight(k, l)))
       return false;
@@ -243,13 +265,14 @@ static bool cover(class *k, course *c, line *l, double points, bool pushed) {
   return true;
 }
 
-static bool fill_map(class *to, int directions, const aspi_height_field *of, double lay, line *l,
-                     asp_error *error) {
-  aspi_ball *ball = aspi_ball_create(of->heights, 2 * l->radius, error);
-  double longer = fmin(aspi_surface_stretch(of->surface), LONGER_MOST);
-  l->step = asp_surface_lambda_c(of->surface) / PER_LAMBDA;
-  course c = {.map = of->heights, .search = aspi_ball_begin(ball), .step = l->step};
-  bool ok = ball;
+static bool fill_map(class *to, int directions, const aspi_field *over, const asp_surface *surface,
+                     double lay, line *l) {
+  double longer = fmin(aspi_surface_stretch(surface), LONGER_MOST);
+  l->step = asp_surface_lambda_c(surface) / PER_LAMBDA;
+  l->every = (size_t)(PER_LAMBDA / STARTS);
+  l->kink = fmax((ASPI_KINK - 1) * l->step, 0.5 * fmax(over->step[0], over->step[1]));
+  course c = {.over = over, .step = l->step};
+  bool ok = make_room(l, (size_t)(longer * STRAIGHT / DIRECTIONS));
   for (int i = 0; i < DIRECTIONS && ok; i++) {
     double azimuth = lay - ASP_PI / 2 + 2 * ASP_PI * i / DIRECTIONS;
     class *k = &to[i % directions];
@@ -258,7 +281,6 @@ static bool fill_map(class *to, int directions, const aspi_height_field *of, dou
     ok = cover(k, &c, l, longer * STRAIGHT / DIRECTIONS, false) &&
          cover(k, &c, l, longer * PUSHED / DIRECTIONS, true);
   }
-  aspi_ball_free(ball);
   return ok;
 }
 
@@ -275,35 +297,23 @@ static void turn_round(line *l) {
   }
 }
 
-/* In space both ways, and with the lower slopes of a sphere. */
-static bool fill_profile(class *k, const aspi_height_field *of, const asp_heights *profile, line *l,
-                         asp_error *error) {
-  double d_p = 2 * l->radius, ratio = 1;
-  asp_heights *path = aspi_profile_path(profile, d_p, PATH_MOST, error);
-  if (!path)
-    return false;
-  if (of->in_space)
-    ratio = aspi_sphere_over_disc(asp_surface_kappa(of->surface, d_p));
-  l->n = path->columns;
-  l->step = path->step[0];
-  l->z = path->z;
-  l->p = aspi_allocate(l->n);
-  l->q = calloc(l->n, sizeof *l->q);
-  bool ok = l->p && l->q;
+/* In space both ways. */
+static bool fill_row(class *k, const aspi_field *row, double lambda, bool in_space, line *l) {
+  bool ok = make_room(l, (size_t)row->columns);
+  l->n = (size_t)row->columns;
+  l->step = row->step[0];
+  l->every = (size_t)fmax(1, lambda / (STARTS * l->step));
+  l->kink = (ASPI_KINK - 1) * l->step;
   for (size_t i = 0; i < l->n && ok; i++) {
-    size_t at = i + 1 < l->n ? i : l->n - 2;
-    l->p[i] = ratio * (path->z[at + 1] - path->z[at]) / l->step;
+    l->z[i] = (double)row->z[i];
+    l->p[i] = aspi_field_slope(row, i);
+    l->q[i] = 0;
   }
-  for (size_t i = 0; i < l->n && ok; i++)
-    path->z[i] *= ratio;
-  for (int way = 0; way < (of->in_space ? 2 : 1) && ok; way++) {
+  for (int way = 0; way < (in_space ? 2 : 1) && ok; way++) {
     ok = add_straight(k, l) && find_valleys(k, l, add_start);
     k->way += (double)l->n * l->step;
     turn_round(l);
   }
-  free(l->p);
-  free(l->q);
-  asp_heights_free(path);
   return ok;
 }
 
@@ -328,42 +338,40 @@ void aspi_valleys_free(aspi_valleys *v) {
   free(v);
 }
 
-static bool fill_all(aspi_valleys *v, const aspi_height_field *of, double lay, asp_error *error) {
-  const size_t most = (size_t)(LONGER_MOST * STRAIGHT / DIRECTIONS);
-  double *room = aspi_allocate(3 * most);
-  bool ok = room;
-  for (int i = 0; i < v->sizes.bins && ok; i++) {
-    line l = {.radius = 0.5 * aspi_sizes_at(&v->sizes, i),
-              .z = room,
-              .p = room + most,
-              .q = room + 2 * most};
-    class *at = &v->class[i * v->directions];
-    if (of->heights->rows > 1)
-      ok = fill_map(at, v->directions, of, lay, &l, error);
-    else
-      for (const asp_heights *one = of->heights; one && ok; one = one->next)
-        ok = fill_profile(at, of, one, &l, error);
-    for (class *k = at; k < at + v->directions && ok; k++) {
-      put_in_order(&k->start);
-      put_in_order(&k->height);
-    }
+static bool fill_bin(aspi_valleys *v, int bin, const asp_spread_model *model, const void *data,
+                     const aspi_height_field *of, double lay) {
+  class *at = &v->class[bin * v->directions];
+  line l = {.radius = 0.5 * aspi_sizes_at(&v->sizes, bin)};
+  const aspi_field *over;
+  bool ok = true;
+  for (int part = 0; ok && (over = model->field(data, bin, part)); part++) {
+    ok = over->axes > 1 ? fill_map(at, v->directions, over, of->surface, lay, &l)
+                        : fill_row(at, over, asp_surface_lambda_c(of->surface), of->in_space, &l);
+    free(l.z);
   }
-  free(room);
+  for (class *k = at; k < at + v->directions && ok; k++) {
+    put_in_order(&k->start);
+    put_in_order(&k->height);
+  }
   return ok;
 }
 
-aspi_valleys *aspi_valleys_create(const aspi_height_field *of, const aspi_sizes *sizes,
+aspi_valleys *aspi_valleys_create(const asp_spread_model *model, const void *data,
+                                  const aspi_height_field *of, const aspi_sizes *sizes,
                                   asp_error *error) {
-  asp_heights_numbers d;
-  if (asp_heights_describe(of->heights, &d, error))
-    return NULL;
+  asp_heights_numbers d = {.lay = 0};
   int directions = aspi_surface_stretch(of->surface) > 1 ? DIRECTIONS : 1;
+  if (directions > 1 && asp_heights_describe(of->heights, &d, error))
+    return NULL;
   aspi_valleys *v = calloc(1, sizeof *v + (size_t)(sizes->bins * directions) * sizeof *v->class);
+  bool ok = v;
   if (v) {
     v->sizes = *sizes;
     v->directions = directions;
   }
-  if (v && fill_all(v, of, d.lay, error))
+  for (int i = 0; i < sizes->bins && ok; i++)
+    ok = fill_bin(v, i, model, data, of, d.lay);
+  if (ok)
     return v;
   aspi_valleys_free(v);
   aspi_fail(error, ASP_ENOMEM, "out of memory for the valleys of a %s",

@@ -22,9 +22,11 @@ typedef struct aspi_valley_table {
   double face_length;            /* mean distance between faces */
 } aspi_valley_table;
 
-/* For each diameter of the sizes and, over a map, 16 directions. NULL on error. */
+/* For each diameter of the sizes and, over a map, 16 directions, from the fields in a model's data.
+ * NULL on error. */
 typedef struct aspi_valleys aspi_valleys;
-aspi_valleys *aspi_valleys_create(const aspi_height_field *of, const aspi_sizes *sizes,
+aspi_valleys *aspi_valleys_create(const asp_spread_model *model, const void *data,
+                                  const aspi_height_field *of, const aspi_sizes *sizes,
                                   asp_error *error);
 void aspi_valleys_free(aspi_valleys *valleys);
 

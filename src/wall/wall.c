@@ -47,8 +47,8 @@ static asp_code make_data(asp_wall *wall, const aspi_wall_choice *choice, asp_er
   sizes.bins = sizes.least >= sizes.most ? 1 : sizes.bins;
   asp_error wrong = {.code = ASP_OK};
   wall->data = choice->spread->prepare(&of, &sizes, &wrong);
-  if (wall->data && choice->heights && choice->spread->follow)
-    wall->valleys = aspi_valleys_create(&of, &sizes, &wrong);
+  if (wall->data && choice->heights && choice->spread->field)
+    wall->valleys = aspi_valleys_create(choice->spread, wall->data, &of, &sizes, &wrong);
   return wall->data && !wrong.code ? ASP_OK : aspi_fail(error, wrong.code, "%s", wrong.text);
 }
 

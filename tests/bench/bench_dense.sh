@@ -2,8 +2,9 @@
 # Dense scenes: grains that lie on walls, with this wall over the engine's own wall/gran of equal friction. A bed of
 # 2160 grains in a box (planes; 5600 and 89 600 triangles), a drum, a hopper, a shaken box. Each settles on wall/gran
 # into a restart file, from which both walls go on. User CPU without the set-up (a run of no steps), the shortest of
-# ten interleaved rounds (ROUNDS), and, where valgrind is, the instructions of the first tenth of the steps. LAMMPS has
-# no wall/gran for triangles: planes or a region of the same shape stand for it.
+# ten rounds (ROUNDS) in pairs and their spread, and, where valgrind is, the instructions of the first tenth of the
+# steps; where perf is, what takes the time. LAMMPS has no wall/gran for triangles: planes or a region of the same shape
+# stand for it.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 source "$home/tests/engine/scenes.sh"
@@ -95,9 +96,12 @@ done
 TIMEFORMAT=%U
 for script in *.*.*.*.in; do sed 's/^run .*/run 0/' $script > $script.0; done
 for ((round = 1; round <= ${ROUNDS:-10}; round++)); do
-  for script in *.*.*.*.in; do
-    { time run_of ${script%%.*} $script; } 2>> $script.user
-    { time run_of ${script%%.*} $script.0; } 2>> $script.0.user
+  for line in "${compared[@]}"; do
+    read -r which scene shape other wanted <<< "$line"
+    for script in $which.$scene.{rebound.$shape,gran.$other}.in; do
+      { time run_of $which $script; } 2>> $which.$scene.$shape.${script#*.*.}.user
+      { time run_of $which $script.0; } 2>> $script.0.user
+    done
   done
 done
 instructions() { # of a tenth of the steps, in the loop
@@ -106,13 +110,26 @@ instructions() { # of a tenth of the steps, in the loop
     "$bin/${1%%.*}-asperity" -in count.in -log none < /dev/null > count.screen 2>&1 || { tail -n 5 count.screen >&2; exit 1; }
   awk '/Collected/ { print $NF }' count.screen
 }
-cpu() { calc "$(least < $1.user) - $(least < $1.0.user)"; }
+shares() { # of the time of a script's run, in %
+  perf record -e cpu-clock -F 5000 -o perf.data "$bin/${1%%.*}-asperity" -in "$1" -log none < /dev/null > perf.screen 2>&1 || return 0
+  perf report -i perf.data --stdio --no-children -F overhead,sym 2> /dev/null | awk '
+    /tree_clear|tree_meet|sweep_|triangle_find|nearest_point|Shape::(meet|clear|find)|add_feet|Search::|curve|surface_/ { sum["searches"] += $1; next }
+    /Motion::|Frame::|find_image|fastest/ { sum["moving walls"] += $1 }
+    /end_movers|solve_held|::sweep|add_load/ { sum["end of step"] += $1 }
+    /Pair|surfacesIntersect/ { sum["pair forces"] += $1 }
+    END { for (what in sum) printf "; %s %.0f %%", what, sum[what] }'
+}
+cpu() { awk -v set_up="$(least < $2.0.user)" '{ print $1 - set_up }' $1.user > $1.cpu; }
 command -v valgrind > /dev/null && for script in *.*.*.*.in; do instructions $script > $script.count; done
 for line in "${compared[@]}"; do
   read -r which scene shape other wanted <<< "$line"
   here=$which.$scene.rebound.$shape.in there=$which.$scene.gran.$other.in
-  counted=''
-  [ ! -f $here.count ] || counted=" (instructions $(calc "int(100 * $(cat $here.count) / $(cat $there.count) + 0.5) / 100") x)"
+  pair=$which.$scene.$shape counted='' shares=''
+  cpu $pair.rebound.$shape.in $here
+  cpu $pair.gran.$other.in $there
+  [ ! -f $here.count ] || counted="; instructions $(calc "int(100 * $(cat $here.count) / $(cat $there.count) + 0.5) / 100") x"
+  command -v perf > /dev/null && shares=$(shares $here)
   row "$which, $scene, $shape$([ $shape = $other ] || echo " over $other"): wall/rebound over wall/gran" \
-    "$(calc "$(cpu $here) / $(cpu $there)")" "x$counted" "<=" $wanted
+    "$(calc "$(least < $pair.rebound.$shape.in.cpu) / $(least < $pair.gran.$other.in.cpu)")" \
+    "x ($(spread $pair.rebound.$shape.in.cpu $pair.gran.$other.in.cpu)$counted$shares)" "<=" $wanted
 done

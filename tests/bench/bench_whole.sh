@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Whole loops: the jet of the flat plate, 20 164 grains, 2000 steps, 1 rank, with a wall over the same run without one;
-# this wall and the engines' own. The shortest of ten interleaved rounds each: other work on the machine makes rounds longer
-# only, and by up to a third.
+# this wall and the engines' own. The shortest of ten interleaved rounds each, since other work on the machine makes rounds
+# longer only, and by up to a third; and the spread of the rounds.
 # SPDX-License-Identifier: GPL-3.0-or-later
 source "$(dirname "${BASH_SOURCE[0]}")/engine.sh"
 mkdir output
@@ -56,6 +56,7 @@ for which in lammps liggghts; do
   for wall in "${walls[@]:1}"; do
     case $wall in gran_*) what="... its own wall/gran, ${wall#gran_}" ;; [0-9]*) what="... $wall triangles" ;; *) what="... $wall" ;; esac
     limit=${wanted[${which}_$wall]:-}
-    row "$what, over that without" "$(calc "$(least < "${which}_$wall.loop") / $(least < ${which}_none.loop)")" x ${limit:+"<=" "$limit"}
+    row "$what, over that without" "$(calc "$(least < "${which}_$wall.loop") / $(least < ${which}_none.loop)")" \
+      "x ($(spread "${which}_$wall.loop" ${which}_none.loop))" ${limit:+"<=" "$limit"}
   done
 done

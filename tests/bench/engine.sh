@@ -25,6 +25,8 @@ fix_seconds() { awk '/^Fix wall wall\/rebound time/ { sub(/.*= */, ""); print $1
 
 least() { sort -g | head -n 1; }
 median() { sort -g | awk '{ x[NR] = $1 } END { print x[int((NR + 1) / 2)] }'; }
+# Of two files of times, pair by pair.
+spread() { paste "$1" "$2" | awk '{ print $1 / $2 }' | sort -g | awk '{ x[NR] = $1 } END { printf "pairs: %.3g to %.3g, median %.3g", x[1], x[NR], x[int((NR + 1) / 2)] }'; }
 calc() { awk "BEGIN { printf \"%.12g\n\", $1 }"; }
 
 # peak RANKS SCRIPT: the same, and prints the largest memory of its processes, summed, in bytes.

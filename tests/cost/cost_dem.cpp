@@ -26,14 +26,31 @@ const char SMOOTH[] = "rebound walton 0.5 0.3 0 deposit off";
 const char ROUGH[] = "surface sigma 5 rebound walton 0.5 0.3 0 deposit off";
 const char STICKY[] = "rebound bons materials quartz surface_energy 1e9";
 
+/* A mesh that counts how often it is searched: for how long a course is clear, and for a contact,
+ * and how many it finds. */
+class CountedMesh : public MeshShape {
+public:
+  double clear(const Course &course, const FaceList &stays) const override {
+    clears++;
+    return MeshShape::clear(course, stays);
+  }
+  bool find(const Path &path, double radius, double latest, Contact &contact) const override {
+    const bool is_there = MeshShape::find(path, radius, latest, contact);
+    finds++;
+    found += is_there;
+    return is_there;
+  }
+  mutable int clears = 0, finds = 0, found = 0;
+};
+
 /* A mesh at z = 0 from lo to hi, of squares of this width with two triangles each. */
 struct Plate {
   std::unique_ptr<Shape> shape;
-  MeshShape *mesh;
+  CountedMesh *mesh;
   size_t triangles;
 
   explicit Plate(double width, double lo = -GAP, double hi = SIDE * GAP)
-      : mesh(new MeshShape), triangles(0) {
+      : mesh(new CountedMesh), triangles(0) {
     shape.reset(mesh);
     std::vector<ContactTriangle> all;
     std::vector<int> ids;
@@ -64,7 +81,7 @@ class Scene {
 public:
   /* Side by side. */
   Scene(std::unique_ptr<Shape> shape, const char *words, const Motion &motion,
-        MeshShape *mesh = NULL, size_t triangles = 0, double least = R)
+        CountedMesh *mesh = NULL, size_t triangles = 0, double least = R)
       : of_(std::move(shape), words, GRAINS, R, DT, triangles), mesh_(mesh), rate_(motion.rate) {
     of_.engine.least = 2 * least;
     of_.engine.most = 2 * R;
@@ -80,8 +97,9 @@ public:
   }
 
   /* The jet. */
-  Scene(std::unique_ptr<Shape> shape, const std::vector<JetGrain> &jet, size_t triangles)
-      : of_(std::move(shape), JET_LAW, jet.size(), 1, JET_DT, triangles), mesh_(NULL), rate_(0) {
+  Scene(std::unique_ptr<Shape> shape, const std::vector<JetGrain> &jet, CountedMesh *mesh,
+        size_t triangles)
+      : of_(std::move(shape), JET_LAW, jet.size(), 1, JET_DT, triangles), mesh_(mesh), rate_(0) {
     of_.engine.least = 1e-6;
     of_.engine.most = 1e-4;
     of_.grains.spins = true;
@@ -93,12 +111,20 @@ public:
     of_.begin();
   }
 
-  /* Counts what the wall does after the first steps. */
+  /* Counts what the wall does after the first steps, and how often its mesh is searched. */
   void count(const char *what, int first, int steps) {
+    const double all = static_cast<double>(steps) * static_cast<double>(of_.grains.tag.size());
     fly(first);
+    if (mesh_)
+      mesh_->clears = mesh_->finds = mesh_->found = 0;
     count_begin();
     fly(steps);
-    count_end(what, static_cast<double>(steps) * static_cast<double>(of_.grains.tag.size()));
+    count_end(what, all);
+    if (!mesh_ || mesh_->clears + mesh_->finds == 0)
+      return;
+    count_other(what, "courses", 1e6 * mesh_->clears / all);
+    count_other(what, "searches", 1e6 * mesh_->finds / all);
+    count_other(what, "found", 1e6 * mesh_->found / all);
   }
 
 private:
@@ -128,7 +154,7 @@ private:
   }
 
   GrainsAtWall of_;
-  MeshShape *mesh_;
+  CountedMesh *mesh_;
   const double rate_;
 };
 
@@ -150,13 +176,14 @@ void count_at_mesh(const char *what, double width, const Motion &motion, int fir
 }
 
 /* From the first step on, which is a grain's whole life: flight, impact, flight, or rest. */
-void count_jet_at(const char *what, std::unique_ptr<Shape> shape, size_t triangles = 0) {
-  Scene(std::move(shape), jet_grains(), triangles).count(what, 0, JET_STEPS);
+void count_jet_at(const char *what, std::unique_ptr<Shape> shape, CountedMesh *mesh = NULL,
+                  size_t triangles = 0) {
+  Scene(std::move(shape), jet_grains(), mesh, triangles).count(what, 0, JET_STEPS);
 }
 
 void count_jet_at_mesh(const char *what, double width) {
   Plate plate(width, JET_LO, JET_HI);
-  count_jet_at(what, std::move(plate.shape), plate.triangles);
+  count_jet_at(what, std::move(plate.shape), plate.mesh, plate.triangles);
 }
 
 /* A rod of two spheres that turns in front of a plane, by this angle a step, without touching it.

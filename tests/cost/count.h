@@ -30,4 +30,10 @@ static inline void count_end(const char *what, double items) {
   CALLGRIND_STOP_INSTRUMENTATION;
 }
 
+/* A number of another kind, for the table. */
+static inline void count_other(const char *what, const char *kind, double number) {
+  printf("\nCOUNT %.0f\t%s: %s\n", number, what, kind);
+  fflush(stdout);
+}
+
 #endif

@@ -213,9 +213,9 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
     course.v[d] = v[d] * s.dt;
     course.x[d] = x[d] - course.v[d];
   }
-  course.widen = s.dt * stray_[static_cast<size_t>(i)] + bend(s.radius[i]) +
-                 FLT_EPSILON * aspi_length(course.v) + travel_;
-  course.reach = (1 + ROUNDING) * s.radius[i] + course.widen;
+  const double stray = s.dt * stray_[static_cast<size_t>(i)];
+  course.widen = stray + bend(s.radius[i]) + FLT_EPSILON * aspi_length(course.v) + travel_;
+  course.reach = (1 + ROUNDING) * s.radius[i] + (course.widen - stray);
   if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
         std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
