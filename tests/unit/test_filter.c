@@ -1,4 +1,5 @@
-/* The noise filter of instruments against the transmission that ISO 16610-21 gives it.
+/* The noise filter of instruments against the transmission that ISO 16610-21 gives it, and at the
+ * ends of a profile.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "check.h"
@@ -40,6 +41,15 @@ TEST(waves_pass_by_their_length) {
     assert_near(amplitude(LONG_WAVE), share_of_long(cases[i], LONG_WAVE), 1e-3);
     assert_near(amplitude(SHORT_WAVE), 0.1 * share_of_long(cases[i], SHORT_WAVE), 1e-4);
   }
+}
+
+/* Weights count within the profile alone: what is level stays so to its ends. */
+TEST(ends_are_not_drawn_to_zero) {
+  for (int i = 0; i < POINTS; i++)
+    heights[i] = 3;
+  assert_int_equal(aspi_filter(heights, POINTS, SPACING, 80, NULL), ASP_OK);
+  for (int i = 0; i < POINTS; i++)
+    assert_near(heights[i], 3, 1e-12);
 }
 
 TEST(length_must_fit_the_profile) {
