@@ -52,7 +52,8 @@ static std::vector<int> wall_types(const Setup &setup) {
 }
 
 Wall::Wall(const Engine &engine)
-    : setup(engine), books(setup), stepper(setup, books), fastest_(0), warned_(false) {}
+    : setup(engine), books(setup), stepper(setup, books), fastest_(0), warned_(false),
+      warned_of_passing_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
@@ -169,10 +170,15 @@ void Wall::check_speeds(const Spheres &s) {
 }
 
 void Wall::warn_of_speeds() {
-  int cut = stepper.is_cut, any_cut;
-  MPI_Allreduce(&cut, &any_cut, 1, MPI_INT, MPI_MAX, setup.engine.world());
-  stepper.is_cut = false;
-  if (any_cut)
+  int mine[2] = {stepper.is_cut, stepper.is_passed}, any[2];
+  MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, setup.engine.world());
+  stepper.is_cut = stepper.is_passed = false;
+  if (any[1] && !warned_of_passing_)
+    setup.engine.warn(
+        "the wall has closed on a particle that has no room, or has gone over one that is stuck to "
+        "another wall; such particles may pass it, and are among the guarded contacts");
+  warned_of_passing_ = warned_of_passing_ || any[1];
+  if (any[0])
     setup.engine.warn(
         "a particle had more than 10000 contacts in one step, and stayed where the last "
         "one left it; the step is far too long for walls so near to each other");

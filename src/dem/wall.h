@@ -79,6 +79,7 @@ private:
 
   double fastest_;             /* particle of this rank in this run, in radii per time */
   bool warned_;                /* of speeds */
+  bool warned_of_passing_;
   std::vector<int> shape_now_; /* of a restart: the shape, from 1, that is each of the saved ones */
 };
 

@@ -113,15 +113,15 @@ bool CylinderShape::find(const Path &path, double radius, double latest, Contact
     return false;
   take_over(touch, path, contact);
   velocity(contact.x, contact.v_wall);
-  /* Inside, the wall curves toward the center, outside away from it. */
+  const double distance = axis_distance(contact.x);
+  if (!(distance > 0 && distance < cylinder_.radius))
+    return true; /* a path along the outside does not come into the wall */
   double axis[3] = {0, 0, 0}, around[3];
   axis[cylinder_.axis] = 1;
   aspi_cross(axis, contact.n, around);
-  const double distance = axis_distance(contact.x), speed = aspi_dot(path.v, around);
-  const double side = distance < cylinder_.radius ? 1 : -1, left = path.left - touch.time;
-  if (distance > 0)
-    contact.curve = side * speed * speed / distance;
-  contact.chord = chord_speed(contact.curve, fabs(speed), left);
+  const double speed = aspi_dot(path.v, around);
+  contact.curve = speed * speed / distance;
+  contact.chord = chord_speed(contact.curve, fabs(speed), path.left - touch.time);
   contact.approach_speed += contact.chord;
   return true;
 }
@@ -143,7 +143,8 @@ bool CylinderShape::under(int face, const double x[3], const double v[3], double
   velocity(x, at.v_wall);
   const double along = v[cylinder_.axis];
   distance = fabs(off - cylinder_.radius);
-  at.curve = -side * (aspi_dot(v, v) - along * along) / off;
+  if (side < 0)
+    at.curve = (aspi_dot(v, v) - along * along) / off;
   return off > 0 && distance <= reach;
 }
 

@@ -32,7 +32,7 @@ struct Contact {
   double n_end[3];       /* what it has become at the end of the path, as the wall turns */
   double v_wall[3];      /* of the point that is touched */
   double follow;         /* acceleration along n that keeps the center at the moving wall */
-  double curve;          /* the same due to the wall's curvature, as the center moves along it */
+  double curve;          /* the same in a hollow of the wall, as the center moves along it */
   double chord;          /* mean speed along n, by that, on a chord to the end of the path */
   double approach_speed; /* mean speed along -n over the rest of the path as it was searched */
   int piece;             /* number of the triangle; 0 for a shape of one piece */
@@ -43,10 +43,9 @@ struct Contact {
 /* The mean speed across a circle's tangent on a chord of it, from the acceleration v^2/rho of a
  * motion along it, where the way along the tangent is that of a speed v in a time. */
 inline double chord_speed(double curve, double v, double time) {
-  const double rho = v * v / fabs(curve), way = std::min(v * time, rho);
-  return time > 0 && rho > 0 && fabs(curve) > 0
-             ? way * way / (rho + sqrt(rho * rho - way * way)) / (curve > 0 ? time : -time)
-             : 0;
+  const double rho = v * v / curve, way = std::min(v * time, rho);
+  return time > 0 && rho > 0 && curve > 0 ? way * way / (rho + sqrt(rho * rho - way * way)) / time
+                                          : 0;
 }
 
 /* Position of a stuck particle, as numbers for restart files from which the shape can find it

@@ -30,6 +30,7 @@ struct Flight {
   double x0[3], v0[3], a0[3]; /* at the beginning of the step */
   double free[3];             /* a0 without the walls at which it rests */
   bool is_held;               /* by these, until an impact throws it off them */
+  bool is_pushed;             /* by walls: its acceleration is not that of `free` */
 
   /* Of a body. turning, stretch: angular velocity of this stretch of its path, and how long that
    * takes. momentum: angular, per mass. lift: extra angular velocity of the path only, by walls
@@ -43,6 +44,7 @@ struct Flight {
    * them. */
   std::vector<Held> sustained, along;
   double free_half[3], free_momentum[3];
+  double led[3];     /* around a curve by now, beyond the velocity of the middle of the step */
   double settled[3]; /* impulses per mass of those that are over */
   bool squeezed;     /* no velocity satisfies all of them */
 
@@ -81,14 +83,19 @@ struct Flight {
   Path path_of(size_t sphere) const;
 
   Held *find_sustained(const Touch &touch);
+  void slide(const Touch &touch, double rises);
   void sustain(const Touch &touch, double hold);
   void settle();
+  void wait(const Touch &at);
   void trap();
 
 private:
+  void lead_path();
+  void ride(const Touch &at, double x[3], double v[3]) const;
   void turn_back();
   void act_along(const double n[3], double ahead[3]) const;
   void turn_alone(double time, double to[3][3]) const;
+  void lead(double a[3]) const;
   Held &add_sustained(const Touch &touch, double hold);
   void follow_walls();
   double along_path(const Touch &touch, const double n[3]) const;

@@ -14,9 +14,10 @@ using namespace asperity;
 namespace {
 
 /* Sweeps over several contacts. They end when a sweep changes the impulses by less than CONVERGED
- * of all of them, or TINY of the velocity: of a ball, and of a body, whose impacts are solved so,
- * too. After SLOW of them all normal impulses are solved at once in each. They have found no
- * solution if more than DIVERGED of the first approach is left. */
+ * of all of them, and of a ball of the approach, which is less in a narrow groove, or TINY of the
+ * velocity. CONVERGED_OF_BODY: impacts of bodies are solved so, too. After SLOW of them all normal
+ * impulses are solved at once in each. They have found no solution if more than DIVERGED of the
+ * first approach is left. */
 const int SLOW = 80, SWEEPS = 300;
 const double CONVERGED = 1e-6, CONVERGED_OF_BODY = 1e-11, TINY = 1e-15;
 const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
@@ -287,7 +288,8 @@ bool sweep(const Mover &mover, HeldList all, double v[3], double omega[3]) {
       now += aspi_dot(change, change);
       sum += aspi_dot(s.p, s.p);
     }
-    if (!(sqrt(now) > converged * sqrt(sum) + TINY * speed))
+    const double scale = mover.is_ball ? std::min(first, sqrt(sum)) : sqrt(sum);
+    if (!(sqrt(now) > converged * scale + TINY * speed))
       break;
     if (n >= SLOW)
       solve_normals(mover, all, ROUNDING * first, v, omega);

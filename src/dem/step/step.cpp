@@ -13,8 +13,9 @@
  *
  *   -(v - v_wall).n <= (f - a.n) dt/2
  *
- * For a mover already resting, f includes the curvature of the wall (if it turns less than CURVE
- * per step). A free mover simply hits a curved wall again. A speed below GRAZING is no approach.
+ * For a mover already resting, f includes the curvature of a hollow wall (if it turns less than
+ * CURVE per step). A free mover simply hits a curved wall again. A speed below GRAZING is no
+ * approach.
  *
  * A sustained contact is no impact: it has no row and is not counted, but where it comes to the
  * next face of a rough wall (faces.cpp). At the end of the step it has become a rest: from then on
@@ -36,8 +37,11 @@ namespace {
 
 /* Contacts are in a row if they are NEAR each other. After SERIES of them for each sphere, as
  * between closing walls, all are taken as sustained. After twice as many the search ends for this
- * step; the mover is trapped if there were impacts among them. */
+ * step: the mover goes with its walls. */
 const int SERIES = 16;
+
+/* After so many in a row that only slide, they change the path together. */
+const int ALONE = 2;
 
 /* Contacts of one mover in one step, at most. */
 const int CONTACTS_MOST = 10000;
@@ -223,29 +227,34 @@ static bool rests_there(const Flight &flight, const Touch &touch) {
 
 /* A sphere whose path ends at a face at which it rests, but for rounding, only slides along it, and
  * so does one that does not approach its face, but for rounding of its own place: then the path
- * that is searched changes, and nothing else. */
-static bool slides(Flight &flight, const Touch &touch) {
+ * that is searched changes, and nothing else. Those that are met again in a row, as in a narrow
+ * groove, change it together. */
+static bool slides(Flight &flight, const Touch &touch, int nth) {
   const BodySphere &one = flight.mover.sphere[touch.sphere];
-  const double approach = std::max(0.0, touch.approach_speed), deep = approach * flight.path.left;
-  if (!flight.is_led || deep > OVERLAP * one.radius ||
-      (deep > SUM_ROUNDING * one.radius && !rests_there(flight, touch)))
+  const double approach = std::max(0.0, touch.approach_speed), left = flight.path.left;
+  if (!flight.is_led || approach * left > OVERLAP * one.radius ||
+      (fabs(touch.approach_speed) * left > SUM_ROUNDING * one.radius &&
+       !rests_there(flight, touch)))
     return false;
-  aspi_add_scaled(flight.path.v,
-                  (1 + ROUNDING) * approach + SUM_ROUNDING * aspi_length(touch.before.v),
-                  touch.n_end, flight.path.v);
+  const double rises = (1 + ROUNDING) * approach + SUM_ROUNDING * aspi_length(touch.before.v);
+  if (nth > ALONE)
+    flight.slide(touch, rises);
+  else
+    aspi_add_scaled(flight.path.v, rises, touch.n_end, flight.path.v);
   return true;
 }
 
-/* The contacts of one instant: an impact, several at smooth walls, or all of them are sustained.
- * The number of the one by which the mover has stuck, else -1. all_stay: it is in a long series.
- * slid: set if every contact only slid. */
-static int meet(Flight &flight, std::vector<Touch> &touches, bool all_stay, bool &slid) {
+/* The contacts of one instant, the nth in a row: an impact, several at smooth walls, or all of them
+ * are sustained. The number of the one by which the mover has stuck, else -1. slid: set if every
+ * contact only slid. */
+static int meet(Flight &flight, std::vector<Touch> &touches, int nth, bool &slid) {
   const Mover &mover = flight.mover;
   double v[3];
   flight.advance(touches[0], v);
+  const bool all_stay = nth > SERIES * static_cast<int>(mover.count);
   slid = true;
   for (const Touch &touch : touches)
-    slid = slides(flight, touch) && slid;
+    slid = slides(flight, touch, nth) && slid;
   if (slid)
     return -1;
   const Moment now = flight.moment(v);
@@ -339,7 +348,7 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
     all++;
     last = touches[0];
     bool slid;
-    by = meet(flight, touches, series > series_most, slid);
+    by = meet(flight, touches, series, slid);
     only_slid = only_slid && slid;
     if (!slid || flight.has_strayed(known_way, most))
       search_all(walls, flight);
@@ -350,17 +359,19 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
         std::all_of(walls.begin(), walls.end(), [](const Stepper *wall) { return wall->is_still; });
   if (only_slid && (stands || all == 0) && series < 2 * series_most)
     return false;
-  const bool endless = by < 0 && series == 2 * series_most;
-  if (flight.squeezed ||
-      (endless && mover.is_ball && flight.impacts.size() > flight.series_begin)) {
-    last.wall->books.count_guarded();
+  const bool in_row = series == 2 * series_most;
+  if (by < 0 && (flight.squeezed || in_row || all == CONTACTS_MOST)) {
+    const bool bounced = flight.impacts.size() > flight.series_begin;
+    const bool is_trapped = flight.squeezed || (mover.is_ball && in_row && bounced);
+    if (is_trapped || mover.is_ball)
+      last.wall->books.count_guarded();
+    last.wall->is_passed = last.wall->is_passed || flight.squeezed;
+    last.wall->is_cut = last.wall->is_cut || all == CONTACTS_MOST;
     search_all(walls, flight);
-    flight.trap();
-  } else if (endless && !mover.is_ball)
-    flight.path.left = 0; /* it waits here for the next step */
-  if (all == CONTACTS_MOST) {
-    last.wall->is_cut = true;
-    flight.path.left = 0;
+    if (is_trapped && !flight.sustained.empty())
+      flight.trap();
+    else
+      flight.wait(last);
   }
   flight.settle();
   if (by >= 0)
@@ -400,6 +411,32 @@ static void fly_one(const Walls &walls, const Walls &near, const Movers &movers,
   note_energy(flight);
 }
 
+/* Notes walls that go over the center of a sphere that is stuck to another wall. */
+static void pass_stuck(const Walls &near, const Movers &movers, int i) {
+  const Mover mover(movers, i);
+  Instant now;
+  movers.read(mover, now);
+  for (Stepper *wall : near) {
+    if (wall->is_still || movers.members(*wall).rows.is_stuck(i))
+      continue;
+    for (const Member &member : wall->setup.shapes)
+      for (size_t k = 0; k < mover.count; k++) {
+        Path path;
+        Contact contact;
+        mover.arm(k, path.x);
+        aspi_add_scaled(path.x, 1, now.x, path.x);
+        aspi_add_scaled(path.x, -movers.dt, now.v, path.x);
+        aspi_copy(now.v, path.v);
+        path.left = path.dt = movers.dt;
+        path.rest = 0;
+        if (member.shape->find(path, NEAR * mover.sphere[k].radius, movers.dt, contact)) {
+          wall->books.count_guarded();
+          wall->is_passed = true;
+        }
+      }
+  }
+}
+
 /* Stuck movers go with their wall, then the few others that may touch a wall are searched. */
 static void step_movers(const Walls &walls, const Movers &movers) {
   std::vector<Candidate> near;
@@ -421,7 +458,9 @@ static void step_movers(const Walls &walls, const Movers &movers) {
     for (; k < near.size() && near[k].i == i; k++)
       if (near_walls.empty() || near_walls.back() != walls[near[k].wall])
         near_walls.push_back(walls[near[k].wall]);
-    if (!movers.is_stuck(walls, i))
+    if (movers.is_stuck(walls, i))
+      pass_stuck(near_walls, movers, i);
+    else
       fly_one(walls, near_walls, movers, i);
   }
 }

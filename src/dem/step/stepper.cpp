@@ -12,7 +12,7 @@ using namespace asperity;
 Stepper::Stepper(const Setup &of, Books &its)
     : setup(of), books(its), rows(), grains(of, rows, false), bodies(of, body_rows, true),
       begins(false), is_rough(false), has_valleys(false), has_lay(false), is_still(false),
-      has_to_delete(false), is_cut(false), dt_ahead(0) {
+      has_to_delete(false), is_cut(false), is_passed(false), dt_ahead(0) {
   books.set_rows(&rows);
 }
 

@@ -67,6 +67,7 @@ struct Stepper {
   bool is_still;      /* no shape moves or measures what sticks to it in this step */
   bool has_to_delete; /* movers of this rank are to be deleted */
   bool is_cut;        /* a mover had too many contacts in a step */
+  bool is_passed;     /* a mover may pass it: it closes on one, or goes over one that is stuck */
   double dt_ahead;    /* of the step at whose end what rests was held; 0: unknown */
 
   Stepper(const Setup &setup, Books &books);
