@@ -165,7 +165,7 @@ asp_code asp_wall_impacts(const asp_wall *wall, size_t n, const asp_particle *pa
 
 /* The coefficients of restitution of a contact about the mean wall (eq. 1). A quotient is NAN for a
  * deposit, and if its denominator is below 1e-6 of v1 or of 1 rad: cor_n and cor_alpha of a
- * sliding particle, cor_t at normal impact. */
+ * sliding particle; cor_t above 89.99 degrees. */
 typedef struct asp_coefficients {
   double v1, alpha1;
   double v2;                           /* in space */

@@ -15,9 +15,12 @@
 /* For a component of a velocity that went through an engine's steps and frames. */
 #define ASPI_ROUNDING_PART 1e-6
 
-/* a/b; NAN if b is only rounding of a part of `whole`. */
-static inline double aspi_quotient(double a, double b, double whole) {
-  return fabs(b) > ASPI_ROUNDING_PART * whole ? a / b : NAN;
+/* The share of a velocity that is along the wall at 89.99 degrees: above, an impact is normal. */
+#define ASPI_NORMAL_PART 1.7453292e-4
+
+/* a/b; NAN if b is no more than this share of `whole`. */
+static inline double aspi_quotient(double a, double b, double share, double whole) {
+  return fabs(b) > share * whole ? a / b : NAN;
 }
 
 #endif

@@ -61,9 +61,8 @@ cli_scatter_form cli_scatter_find_form(cli_scatter *t) {
 
 /* The coefficients of the components of both velocities. */
 static void take_velocities(double n1, double t1, double n2, double t2, aspi_scatter_row *row) {
-  bool normal = !(row->degrees < 90 * (1 - ASPI_ROUNDING_TEXT));
-  row->cor[COR_N] = aspi_quotient(n2, n1, hypot(n1, t1));
-  row->cor[COR_T] = normal ? NAN : aspi_quotient(t2, t1, hypot(n1, t1));
+  row->cor[COR_N] = aspi_quotient(n2, n1, ASPI_ROUNDING_PART, hypot(n1, t1));
+  row->cor[COR_T] = aspi_quotient(t2, t1, ASPI_NORMAL_PART, hypot(n1, t1));
 }
 
 aspi_scatter_row cli_scatter_row_of(const cli_scatter_form *f, const double v[]) {

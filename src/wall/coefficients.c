@@ -20,12 +20,12 @@ asp_coefficients asp_impact_coefficients(const double v1[3], const double n[3],
   if (!has_direction(&f))
     along = along_space;
   c.alpha2 = atan2(n2, along);
-  c.cor_v = aspi_quotient(hypot(n2, along), c.v1, c.v1);
-  c.cor_alpha = aspi_quotient(c.alpha2, c.alpha1, 1);
-  c.cor_v_space = aspi_quotient(c.v2, c.v1, c.v1);
-  c.cor_alpha_space = aspi_quotient(atan2(n2, along_space), c.alpha1, 1);
-  c.cor_n = aspi_quotient(n2, f.v_n, c.v1);
-  c.cor_t = aspi_quotient(along, f.v_t, c.v1);
+  c.cor_v = aspi_quotient(hypot(n2, along), c.v1, ASPI_ROUNDING_PART, c.v1);
+  c.cor_alpha = aspi_quotient(c.alpha2, c.alpha1, ASPI_ROUNDING_PART, 1);
+  c.cor_v_space = aspi_quotient(c.v2, c.v1, ASPI_ROUNDING_PART, c.v1);
+  c.cor_alpha_space = aspi_quotient(atan2(n2, along_space), c.alpha1, ASPI_ROUNDING_PART, 1);
+  c.cor_n = aspi_quotient(n2, f.v_n, ASPI_ROUNDING_PART, c.v1);
+  c.cor_t = aspi_quotient(along, f.v_t, ASPI_NORMAL_PART, c.v1);
   return c;
 }
 
