@@ -10,7 +10,7 @@ load here.'picture.gp'
 stats table index 0 using (w = $1, h = $2, label_of = strcol(3), most = $4, 1) nooutput
 stats table index 3 using (seen = $1, all = $2, 1) nooutput
 largest = 0
-stats table index 2 using (largest = is($3) ? max(largest, $3) : largest, 1) nooutput
+if (seen > 0) { stats table index 2 using (largest = is($3) ? max(largest, $3) : largest, 1) nooutput }
 array right[4]; array up[4]; array name[4]; k = 0
 stats table index 4 using (k = k + 1, right[k] = $1, up[k] = $2, name[k] = strcol(3), 1) nooutput
 unset border; unset tics; unset grid; unset key
@@ -35,6 +35,6 @@ do for [k=1:3] {
 }
 set arrow 4 from first w - right[4], screen 44 * py to first w, screen 44 * py heads size screen 0.004, 90 lw 2 lc rgb '#444444' front
 set label 5 name[4] at first w - right[4] / 2, screen 54 * py center front
-plot table index 1 using 1:2:3 with image, '' index 1 using 1:2:4:4:4:5 with rgbalpha, \
-  '' index 2 using 1:2:(dot($3)) with points pt 7 ps variable lc rgb '#d55e00'
+dots = seen > 0 ? ", '' index 2 using 1:2:(dot($3)) with points pt 7 ps variable lc rgb '#d55e00'" : ''
+eval "plot table index 1 using 1:2:3 with image, '' index 1 using 1:2:4:4:4:5 with rgbalpha".dots
 unset multiplot
