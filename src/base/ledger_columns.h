@@ -27,7 +27,7 @@
   COLUMN(ALPHA2, "alpha2_deg", "f", "rebound angle in the plane of incidence, 0 to 180 degrees")   \
   COLUMN(COR_N, "cor_n", "f",                                                                      \
          "CoR_N about the mean wall; empty for a deposit and where v1 has no normal part")         \
-  COLUMN(COR_T, "cor_t", "f", "CoR_T, signed; empty for a deposit and above 89.99 degrees")         \
+  COLUMN(COR_T, "cor_t", "f", "CoR_T, signed; empty for a deposit and above 89.99 degrees")        \
   COLUMN(OUTCOME, "outcome", "i", "0 rebound, 1 deposited, 2 deleted")
 
 /* Further columns of a ledger with `columns full`. */

@@ -63,7 +63,7 @@ void Model::parse(Words &words, const std::string &others) {
   if (asp_description_read(description_.get(), static_cast<int>(rest.size()), rest.data(),
                            others.c_str(), &taken, &wrong))
     throw_error(wrong);
-  words.skip(taken);
+  words.advance(taken);
 }
 
 void Model::finish(bool own_heat) {

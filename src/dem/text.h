@@ -61,7 +61,8 @@ public:
   double whole(const char *what, double least, double most);
   /* The words that are left, valid as long as this. */
   std::vector<const char *> rest() const;
-  void skip(int count) {
+  /* Goes past some of them. */
+  void advance(int count) {
     next_ += static_cast<size_t>(count);
   }
 

@@ -77,8 +77,8 @@ private:
   Settings settings() const;
   void restore_meshes(const WallState &saved);
 
-  double fastest_;             /* particle of this rank in this run, in radii per time */
-  bool warned_;                /* of speeds */
+  double fastest_; /* particle of this rank in this run, in radii per time */
+  bool warned_;    /* of speeds */
   bool warned_of_passing_;
   std::vector<int> shape_now_; /* of a restart: the shape, from 1, that is each of the saved ones */
 };

@@ -565,9 +565,9 @@ void grains_slide_inside_cylinders(void **) {
   assert_true(grains.x[2] > 5.9 && s.count(Books::N_IMPACTS) < 1 && s.count(Books::N_GUARDED) < 1);
 }
 
-/* Without friction a grain slides down the outside of a cylinder, above it by no more than a tangent
- * of a step's length is, and leaves it where the cosine of the angle from the top is 2/3 of that at
- * which it began. */
+/* Without friction a grain slides down the outside of a cylinder, above it by no more than a
+ * tangent of a step's length is, and leaves it where the cosine of the angle from the top is 2/3 of
+ * that at which it began. */
 void grains_leave_cylinders(void **) {
   const double at = 0.1, rho = 5.5;
   GrainsAtWall s(ShapePtr(new CylinderShape(1, STILL, 5, 0, 0)),

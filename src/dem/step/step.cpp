@@ -341,6 +341,7 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
     flight.way = 0;
     if (all == 0 || flight.is_apart) {
       series = 0;
+      flight.along.clear();
       flight.series_begin = flight.impacts.size();
       aspi_copy(flight.spin, flight.series_spin);
     }
@@ -423,6 +424,8 @@ static void pass_stuck(const Walls &near, const Movers &movers, int i) {
       for (size_t k = 0; k < mover.count; k++) {
         Path path;
         Contact contact;
+        if (!(mover.sphere[k].mask & wall->setup.groupbit))
+          continue;
         mover.arm(k, path.x);
         aspi_add_scaled(path.x, 1, now.x, path.x);
         aspi_add_scaled(path.x, -movers.dt, now.v, path.x);
