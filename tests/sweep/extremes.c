@@ -231,9 +231,9 @@ static const char *wrong_with(const combination *c, const asp_impact *impact) {
   }
   if (!isfinite(after) || !isfinite(impact->delta_alpha) || !isfinite(impact->tilt_out))
     return "not a number";
-  bool oblique = cos(cor.alpha1) > ASPI_ROUNDING_PART; /* otherwise there is no CoR_T */
-  bool dips = sin(cor.alpha1) > ASPI_ROUNDING_PART;    /* otherwise there is no CoR_N */
-  bool rebound = impact->outcome != ASP_DEPOSIT;       /* a deposit has no coefficients */
+  bool oblique = cos(cor.alpha1) > ASPI_NORMAL_PART; /* otherwise there is no CoR_T */
+  bool dips = sin(cor.alpha1) > ASPI_ROUNDING_PART;  /* otherwise there is no CoR_N */
+  bool rebound = impact->outcome != ASP_DEPOSIT;     /* a deposit has no coefficients */
   if (isfinite(cor.cor_n) != (rebound && dips) || isfinite(cor.cor_v) != rebound ||
       isfinite(cor.cor_alpha) != (rebound && dips) || isfinite(cor.cor_t) != (rebound && oblique) ||
       !isfinite(cor.alpha1) || !isfinite(cor.alpha2))
