@@ -96,7 +96,21 @@ TEST(steps_may_change_their_length) {
   assert_true(near(s.wall->setup.time(static_cast<double>(s.grains.now)), 0.14, 1e-12));
 }
 
-/* A step that goes back in time, or takes none, is an error. */
+/* In a step of 0 a grain that rests stays as it is, and weighs what it did in the step after it. */
+TEST(steps_may_have_no_length) {
+  Resting s;
+  const double z = s.grains.x[2];
+  s.wall->set_dt(s.grains.now, s.grains.dt = 0);
+  s.grains.fly(2);
+  assert_true(near(s.grains.x[2], z, 0));
+  s.wall->set_dt(s.grains.now, s.grains.dt = 0.01);
+  s.grains.fly(2);
+  assert_true(near(s.force(), -10, 1e-12));
+  assert_true(near(s.grains.x[2], z, 1e-12));
+  assert_true(near(s.count(Books::N_IMPACTS), 0, 0));
+}
+
+/* A step that goes back in time is an error. */
 TEST(steps_must_not_go_back) {
   for (double dt : {-0.01, static_cast<double>(nan(""))}) {
     Resting s;

@@ -438,7 +438,9 @@ void asperity::check_ahead(const Walls &walls, const Movers &movers) {
   });
 }
 
-void asperity::end_walls(const Walls &walls, const Spheres &spheres, Bodies *bodies) {
+void asperity::end_walls(const Walls &walls, Spheres spheres, Bodies *bodies) {
+  if (!(spheres.dt > 0)) /* what rests is held as in the last step that had a length */
+    spheres.dt = walls[0]->dt_ahead;
   for (Stepper *wall : walls) {
     wall->books.begin_end();
     wall->dt_ahead = spheres.dt;
@@ -446,6 +448,7 @@ void asperity::end_walls(const Walls &walls, const Spheres &spheres, Bodies *bod
   end_movers(walls, spheres);
   if (!bodies)
     return;
+  bodies->dt = spheres.dt;
   for (Body &body : bodies->all)
     body.is_changed = false;
   end_movers(walls, *bodies);

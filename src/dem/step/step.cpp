@@ -455,7 +455,7 @@ static void step_movers(const Walls &walls, const Movers &movers) {
     of.ahead.find_near(all, static_cast<int>(w), near);
     std::inplace_merge(near.begin(), near.begin() + first, near.end());
   }
-  for (size_t k = 0; k < near.size();) {
+  for (size_t k = 0; k < near.size() && movers.dt > 0;) {
     const int i = near[k].i;
     near_walls.clear();
     for (; k < near.size() && near[k].i == i; k++)

@@ -117,7 +117,7 @@ void check_ahead(const std::vector<Stepper *> &walls, const Movers &movers);
 
 /* The end of a step, after its forces. What is stuck gets its wall's velocity, walls hold those
  * that rest (end_step.cpp), and one that has rebounded gets its energy. */
-void end_walls(const std::vector<Stepper *> &walls, const Spheres &spheres, Bodies *bodies = NULL);
+void end_walls(const std::vector<Stepper *> &walls, Spheres spheres, Bodies *bodies = NULL);
 
 } // namespace asperity
 
