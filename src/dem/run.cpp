@@ -7,18 +7,19 @@
 
 using namespace asperity;
 
-Run::Run(const Engine &engine) : wall(engine), has_begun_(false), is_checked_(false) {}
+Run::Run(const Engine &engine)
+    : wall(engine), has_begun_(false), has_steps_(false), is_checked_(false) {}
 
 std::vector<Stepper *> Run::steppers() const {
   std::vector<Stepper *> all;
-  for (Run *each : walls_)
+  for (Run *each : walls)
     all.push_back(&each->wall.stepper);
   return all;
 }
 
 Spheres Run::spheres() const {
   Spheres s = all_spheres();
-  const std::vector<int> &masks = walls_.front()->masks_;
+  const std::vector<int> &masks = walls.front()->masks_;
   if (!masks.empty())
     s.mask = masks.data();
   return s;
@@ -39,13 +40,12 @@ void Run::list_bodies(bool begins) {
     return;
   const Spheres s = all_spheres();
   bodies().list(steppers(), begins);
-  body_rows_.reset(s, walls_.size());
+  body_rows_.reset(s, walls.size());
   for (int i = 0; i < s.n; i++)
     masks_.push_back(bodies().has(i) ? 0 : s.mask[i]);
 }
 
 void Run::begin(bool is_setup) {
-  set_rows();
   list_bodies(is_setup);
   attempt([this, is_setup] {
     const Spheres all = spheres();
@@ -53,20 +53,19 @@ void Run::begin(bool is_setup) {
     wall.stepper.free_displaced(all, is_setup ? 0 : all.dt);
   });
   has_begun_ = true;
+  has_steps_ = false;
 }
 
 void Run::push_spheres() {
-  if (walls_.back() != this)
+  if (walls.back() != this)
     return;
-  for (Run *each : walls_)
-    each->set_rows();
   push_again(steppers(), spheres());
 }
 
 void Run::push_bodies() {
-  if (walls_.back() != this)
+  if (walls.back() != this)
     return;
-  Run &first = *walls_.front();
+  Run &first = *walls.front();
   if (Bodies *all = first.take_bodies()) {
     for (Stepper *each : steppers()) /* all walls are where this run finds them */
       each->free_displaced(*all, 0);
@@ -78,14 +77,14 @@ void Run::push_bodies() {
 void Run::step() {
   if (!leads())
     return;
-  for (Run *each : walls_)
+  for (Run *each : walls)
     if (!each->has_begun_)
       each->begin(false);
   try {
     const bool grow = particles_grow();
     const Spheres now = spheres();
-    for (Run *each : walls_) {
-      each->set_rows();
+    for (Run *each : walls) {
+      each->has_steps_ = true;
       each->wall.set_dt(now.step - 1, now.dt);
       if (grow)
         each->wall.stepper.clear_ahead();
@@ -104,7 +103,7 @@ void Run::step() {
   }
   if (bodies().any())
     bodies().put(false, wall.setup.engine.world());
-  for (Run *each : walls_) {
+  for (Run *each : walls) {
     int mine = each->wall.stepper.has_to_delete, any; /* all ranks must agree */
     if (!each->deletes())
       continue;
@@ -115,11 +114,10 @@ void Run::step() {
 }
 
 void Run::hold() {
-  set_rows();
+  if (!has_steps_)
+    fail("rerun is not supported: a rebound is an event in time; use run");
   if (!leads())
     return;
-  for (Run *each : walls_)
-    each->set_rows();
   Bodies *all = NULL;
   try {
     Spheres s = spheres();
@@ -135,7 +133,7 @@ void Run::hold() {
     bodies().put(true, wall.setup.engine.world());
     body_rows_.show(steppers(), *all, wall.setup.engine.world());
   }
-  for (Run *each : walls_)
+  for (Run *each : walls)
     each->wall.books.end_loads();
 }
 
@@ -145,14 +143,13 @@ void Run::end() {
 }
 
 void Run::list_deleted() {
-  set_rows();
-  BodySource &of = walls_.front()->bodies();
+  BodySource &of = walls.front()->bodies();
   if (of.any())
     of.list_deleted(wall.stepper.body_rows, wall.setup.engine.world());
 }
 
 bool Run::is_deleted(int i) {
-  const BodySource &of = walls_.front()->bodies();
+  const BodySource &of = walls.front()->bodies();
   return wall.stepper.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i));
 }
 

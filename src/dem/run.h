@@ -20,6 +20,7 @@ namespace asperity {
 class Run {
 public:
   Wall wall;
+  std::vector<Run *> walls; /* all of this style */
 
   explicit Run(const Engine &engine);
   virtual ~Run() {}
@@ -79,8 +80,6 @@ protected:
   virtual void fail(const std::string &what) const = 0;
   virtual void fail_alone(const std::string &what) const = 0;
 
-  /* Gives the wall the rows of this rank's particles, which may have moved since the last step. */
-  virtual void set_rows() = 0;
   virtual Spheres all_spheres() const = 0;
   virtual Box box() const = 0;
   virtual int group_bit() const = 0;
@@ -94,17 +93,16 @@ protected:
   /* Has the engine build its lists in this step, and delete what is to be deleted before. */
   virtual void renew_lists() = 0;
 
-  std::vector<Run *> walls_; /* all of this style */
-
 private:
   bool leads() const {
-    return walls_.front() == this;
+    return walls.front() == this;
   }
   std::vector<Stepper *> steppers() const;
   Bodies *take_bodies();
   void warn_of_lost(const Bodies &all);
 
-  bool has_begun_, is_checked_; /* begin() was called for this run, and check_use() */
+  /* begin() was called for this run, which has steps (a rerun has none); check_use() was called */
+  bool has_begun_, has_steps_, is_checked_;
   /* Of the first wall, for all: groups of the particles, 0 for those of bodies; empty if there are
    * no bodies. */
   std::vector<int> masks_;

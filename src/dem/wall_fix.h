@@ -1,12 +1,14 @@
-/* What the LIGGGHTS and LAMMPS fixes share and must know the engine's classes, as templates over
- * them: Program is the class that has all others, Fix the base class of its fixes. What needs none
- * of them is in run.h.
+/* Templates for the fixes of LIGGGHTS and LAMMPS: code that is the same but uses the engine's own
+ * classes, whose headers are included before. Program is the class that has all others, Fix the
+ * base class of its fixes. What needs no class of an engine is in run.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_WALL_FIX_H
 #define ASPERITY_DEM_WALL_FIX_H
 
+#include <stdio.h>
 #include <string.h>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,9 @@
 
 namespace asperity {
 
-/* The part of Engine that is the same in LIGGGHTS and LAMMPS. */
-template <class Program, class Fix> class EngineOf : public Engine {
+/* The part of Engine that is the same in LIGGGHTS and LAMMPS. Message: a text as the engine's error
+ * messages take it. */
+template <class Program, class Fix, class Message> class EngineOf : public Engine {
 public:
   typedef Fix FixOfEngine;
 
@@ -36,6 +39,21 @@ public:
   }
   int dimension() const override {
     return program_->domain->dimension;
+  }
+  double time() const override {
+    const auto *update = program_->update;
+    return update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
+  }
+  void warn(const std::string &what) const override {
+    if (program_->comm->me == 0)
+      program_->error->warning(FLERR, of_fix(what));
+  }
+  void print(const std::string &what) const override {
+    if (program_->comm->me != 0)
+      return;
+    for (FILE *to : {program_->screen, program_->logfile})
+      if (to)
+        fprintf(to, "%s\n", what.c_str());
   }
 
   /* Those that may meet walls one by one. */
@@ -80,6 +98,11 @@ public:
   }
 
 protected:
+  /* A message that names the fix. */
+  Message of_fix(const std::string &what) const {
+    return Message{"Fix wall/rebound (id " + id() + "): " + what};
+  }
+
   Program *program_;
   Fix *fix_;
 };
@@ -98,6 +121,18 @@ public:
   virtual std::string body_error(const EngineFix *fix) const = 0;
   virtual bool changes_box(const EngineFix *fix) const = 0;
 
+  /* Checks the atom style; before a run, what the engine has besides; and at its set-up the wall's
+   * shapes. The last two are collective and throw an Error. */
+  virtual void check_atoms() const = 0;
+  virtual void prepare() = 0;
+  virtual void set_up_shapes() = 0;
+
+  void fail(const std::string &what) const override {
+    this->program_->error->all(FLERR, this->of_fix(what));
+  }
+  void fail_alone(const std::string &what) const override {
+    this->program_->error->one(FLERR, this->of_fix(what));
+  }
   Spheres all_spheres() const override {
     return Host::spheres();
   }
@@ -119,6 +154,8 @@ public:
     fix->global_freq = 1;
     fix->extscalar = fix->extvector = fix->extarray = 1;
     fix->restart_global = fix->restart_peratom = fix->create_attribute = 1;
+    fix->peratom_flag = fix->peratom_freq = 1;
+    fix->size_peratom_cols = Wall::N_STATE;
     fix->nevery = 1;
     fix->force_reneighbor = deletes();
     fix->next_reneighbor = -1;
@@ -128,16 +165,6 @@ public:
       fix->size_local_rows = 0;
       fix->size_local_cols = ledger->columns();
     }
-  }
-
-  /* Before a run. wall_of: gives the WallFix of a fix, or NULL where that is no wall of this style.
-   */
-  template <class Of> void find_walls(Of wall_of) {
-    const auto *modify = this->program_->modify;
-    walls_.clear();
-    for (int i = 0; i < modify->nfix; i++)
-      if (Run *one = wall_of(modify->fix[i]))
-        walls_.push_back(one);
   }
 
   /* others: the atom style has particles that are no spheres. styles: those to use. */
@@ -194,11 +221,11 @@ public:
                   "law");
   }
 
-  /* Takes away what the wall deletes; returns how many particles, of all ranks. */
-  int64_t delete_particles() {
+  /* Takes away what the wall deletes. */
+  void delete_particles() {
     auto *atom = this->program_->atom;
     if (!deletes())
-      return 0;
+      return;
     list_deleted();
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
@@ -215,7 +242,7 @@ public:
       atom->map_init();
       atom->map_set();
     }
-    return all;
+    atom->natoms -= all;
   }
 
   bool is_output() const {
@@ -275,11 +302,46 @@ template <class Fix, class Host> class WallHooks : public Fix {
 public:
   using Fix::Fix;
 
+  void init() override {
+    WallFix<Host> &own = wall_fix();
+    own.walls.clear();
+    for (int i = 0; i < this->modify->nfix; i++)
+      if (WallHooks *one = dynamic_cast<WallHooks *>(this->modify->fix[i]))
+        own.walls.push_back(&one->wall_fix());
+    own.check_run();
+    own.check_atoms();
+    own.attempt([this, &own] {
+      own.prepare();
+      own.wall.init(this->update->ntimestep, this->update->dt);
+    });
+  }
+  void setup(int) override {
+    WallFix<Host> &own = wall_fix();
+    own.check_movers();
+    own.attempt([&own] { own.set_up_shapes(); });
+    own.begin(true);
+  }
   void setup_pre_exchange() override {
-    this->pre_exchange();
+    wall_fix().delete_particles();
+  }
+  void pre_exchange() override {
+    wall_fix().delete_particles();
+  }
+  void pre_neighbor() override {
+    WallFix<Host> &own = wall_fix();
+    own.check_movers();
+    own.list_bodies(false);
+    own.wall.reorder(own.spheres());
   }
   void post_integrate() override {
     wall_fix().step();
+  }
+  void end_of_step() override {
+    wall_fix().hold();
+    wall_fix().end_step();
+  }
+  void post_run() override {
+    wall_fix().end();
   }
   double compute_scalar() override {
     return wall_fix().wall.books.counter(Books::N_IMPACTS);
@@ -297,8 +359,75 @@ public:
     wall_fix().restore(record);
   }
 
+  /* Numbers of each particle: rows, which engines show, and memories. */
+  void grow_arrays(int n) override {
+    this->memory->grow(this->array_atom, n, Wall::N_STATE, "wall/rebound:array_atom");
+    memories().grow(n);
+    wall_fix().wall.set_rows(this->array_atom ? this->array_atom[0] : NULL);
+  }
+  void copy_arrays(int from, int to, int) override {
+    std::copy_n(this->array_atom[from], int{Wall::N_STATE}, this->array_atom[to]);
+    memories().copy(from, to);
+  }
+  void set_arrays(int i) override {
+    std::fill_n(this->array_atom[i], int{Wall::N_STATE}, 0.0);
+    memories().clear(i);
+  }
+  int pack_exchange(int i, double *buffer) override {
+    std::copy_n(this->array_atom[i], int{Wall::N_STATE}, buffer);
+    return Wall::N_STATE + memories().pack(i, buffer + Wall::N_STATE);
+  }
+  int unpack_exchange(int i, double *buffer) override {
+    std::copy_n(buffer, int{Wall::N_STATE}, this->array_atom[i]);
+    return Wall::N_STATE + memories().unpack(i, buffer + Wall::N_STATE);
+  }
+  /* The engines' restart format: the length first, which counts itself. */
+  int pack_restart(int i, double *buffer) override {
+    const int count = 1 + pack_exchange(i, buffer + 1);
+    buffer[0] = count;
+    return count;
+  }
+  void unpack_restart(int i, int nth) override {
+    double *saved = this->atom->extra[i];
+    for (; nth > 0; nth--)
+      saved += static_cast<int>(*saved);
+    unpack_exchange(i, saved + 1);
+  }
+  int size_restart(int i) override {
+    double packed[SAVED_MOST];
+    return pack_restart(i, packed);
+  }
+  int maxsize_restart() override {
+    return SAVED_MOST;
+  }
+  double memory_usage() override {
+    return wall_fix().wall.bytes() +
+           static_cast<double>(this->atom->nmax * sizeof(double) * Wall::N_STATE);
+  }
+
 protected:
+  static const int SENT_MOST = Wall::N_STATE + PACKED_MOST, SAVED_MOST = 1 + SENT_MOST;
+
   virtual WallFix<Host> &wall_fix() = 0;
+
+  /* At the end of the fix's constructor, and in its destructor. */
+  void add_rows() {
+    grow_arrays(this->atom->nmax);
+    for (int i = 0; i < this->atom->nlocal; i++)
+      set_arrays(i);
+    for (int kind : {0, 1}) /* of arrays, and of restart files */
+      this->atom->add_callback(kind);
+  }
+  void remove_rows() {
+    for (int kind : {0, 1})
+      this->atom->delete_callback(this->id, kind);
+    this->memory->destroy(this->array_atom);
+  }
+
+private:
+  Memories &memories() {
+    return wall_fix().wall.stepper.rows;
+  }
 };
 
 } // namespace asperity

@@ -3,15 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "engine_lammps.h"
 
-#include "atom.h"
-#include "comm.h"
-#include "domain.h"
-#include "error.h"
-#include "group.h"
 #include "library.h"
 #include "lammps.h"
-#include "modify.h"
-#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +14,6 @@ using namespace LAMMPS_NS;
 
 std::string EngineOfLammps::known_units() const {
   return "si, cgs, micro or nano";
-}
-
-double EngineOfLammps::time() const {
-  const Update *update = program_->update;
-  return update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
-}
-
-void EngineOfLammps::warn(const std::string &what) const {
-  if (program_->comm->me == 0)
-    program_->error->warning(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
-}
-
-void EngineOfLammps::print(const std::string &what) const {
-  if (program_->comm->me == 0)
-    utils::logmesg(program_, what + "\n");
 }
 
 /* A dynamic group may get any particle. */

@@ -8,19 +8,26 @@
 #include <string>
 #include <vector>
 
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
 #include "fix.h"
+#include "group.h"
+#include "memory.h"
+#include "modify.h"
+#include "output.h"
+#include "update.h"
 #include "dem/wall_fix.h"
 
 namespace LAMMPS_NS {
 
-class EngineOfLammps : public asperity::EngineOf<LAMMPS, Fix> {
+class EngineOfLammps : public asperity::EngineOf<LAMMPS, Fix, std::string> {
 public:
   using EngineOf::EngineOf;
 
   std::string known_units() const override;
-  double time() const override;
-  void warn(const std::string &what) const override;
-  void print(const std::string &what) const override;
   const double *numbers(const std::string &name) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;

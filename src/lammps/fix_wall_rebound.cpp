@@ -3,19 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fix_wall_rebound.h"
 
-#include "atom.h"
-#include "atom_vec.h"
 #include "citeme.h"
-#include "comm.h"
-#include "domain.h"
-#include "error.h"
-#include "group.h"
 #include "input.h"
 #include "library.h"
-#include "memory.h"
-#include "modify.h"
-#include "output.h"
-#include "update.h"
 #include "variable.h"
 
 #include "bodies_lammps.h"
@@ -43,8 +33,6 @@ using asperity::text;
 using asperity::Wall;
 using asperity::Words;
 
-static const int SAVED_MOST = 1 + Wall::N_STATE + asperity::PACKED_MOST;
-
 static const char CITE[] =
     "fix wall/rebound command: doi:10.33737/jgpps/118624\n\n"
     "@Article{Altmeppen2020,\n"
@@ -65,7 +53,6 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   RegionShape *region;        /* the same */
   BodiesOfLammps of_bodies;
   bigint last_step; /* that the wall knows of */
-  bool steps;       /* this run has steps, which a rerun has not */
   bool from_restart;
   bool owes_bodies; /* the forces of walls, in the first step of a run */
   double stuck;     /* particles of all ranks, when a run began or ended */
@@ -73,17 +60,8 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
 
   Parts(LAMMPS *lammps, Fix *fix)
       : WallFix(lammps, fix), mesh(NULL), region(NULL), of_bodies(lammps, fix), last_step(0),
-        steps(false), from_restart(false), owes_bodies(false), stuck(0), type(0) {}
+        from_restart(false), owes_bodies(false), stuck(0), type(0) {}
 
-  void fail(const std::string &what) const override {
-    program_->error->all(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
-  }
-  void fail_alone(const std::string &what) const override {
-    program_->error->one(FLERR, "Fix wall/rebound (id " + id() + "): " + what);
-  }
-  void set_rows() override {
-    wall.set_rows(fix_->array_atom ? fix_->array_atom[0] : NULL);
-  }
   asperity::BodySource &bodies() override {
     return of_bodies;
   }
@@ -99,13 +77,15 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
       fail("units are '" + units + "'; they must be " + known_units() +
            ", or lj without materials");
   }
-  void check_atoms() const {
+  void check_atoms() const override {
     const Atom *atom = program_->atom;
     check_particles(atom->ellipsoid_flag || atom->line_flag || atom->tri_flag || atom->body_flag,
                     "sphere");
     if (program_->kokkos && !lammps_config_accelerator("KOKKOS", "precision", "double"))
       fail("the package KOKKOS was built with single or mixed precision; it must be double");
   }
+  void prepare() override;
+  void set_up_shapes() override;
   void begin_step() override;
   void follow_step(bigint last);
 };
@@ -138,24 +118,16 @@ FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
   });
   p_->set_flags();
   wd_header = 1;
-  maxexchange = Wall::N_STATE + asperity::PACKED_MOST;
+  maxexchange = SENT_MOST;
   comm_forward = BodiesOfLammps::SENT;
-  peratom_flag = peratom_freq = 1;
-  size_peratom_cols = Wall::N_STATE;
-  FixWallRebound::grow_arrays(atom->nmax);
-  for (int i = 0; i < atom->nlocal; i++)
-    FixWallRebound::set_arrays(i);
-  atom->add_callback(Atom::GROW);
-  atom->add_callback(Atom::RESTART);
+  add_rows();
 }
 
 FixWallRebound::~FixWallRebound() {
   /* By a command of the script that names this fix, and not with all others at the end. */
   if (update && input->narg > 0 && strcmp(input->arg[0], id) == 0)
     p_->report_loss();
-  atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(array_atom);
+  remove_rows();
   delete p_;
 }
 
@@ -229,35 +201,27 @@ asperity::WallFix<EngineOfLammps> &FixWallRebound::wall_fix() {
 }
 
 int FixWallRebound::setmask() {
-  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | POST_NEIGHBOR | END_OF_STEP | POST_RUN;
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
 
 /* ---- a run ------------------------------------------------------------------------------------
  */
 
-void FixWallRebound::init() {
-  p_->find_walls([](Fix *fix) {
-    FixWallRebound *wall = dynamic_cast<FixWallRebound *>(fix);
-    return wall ? wall->p_ : NULL;
-  });
-  p_->check_run();
-  p_->check_atoms();
-  if (p_->from_restart && !p_->wall.is_restored())
-    p_->warn_of_no_restart();
-  p_->from_restart = false;
-  p_->follow_step(update->ntimestep);
-  p_->stuck = p_->wall.stuck();
-  p_->attempt([this] {
-    if (p_->region)
-      p_->region->init();
-    p_->of_bodies.init();
-    p_->owes_bodies = !p_->of_bodies.stand_before(this);
-    int &stages = modify->fmask[modify->find_fix(id)];
-    stages = p_->owes_bodies ? stages | INITIAL_INTEGRATE : stages & ~INITIAL_INTEGRATE;
-    if (p_->of_bodies.any())
-      p_->wall.setup.check_bodies();
-    p_->wall.init(update->ntimestep, update->dt);
-  });
+void FixWallRebound::Parts::prepare() {
+  const Update *update = program_->update;
+  if (from_restart && !wall.is_restored())
+    warn_of_no_restart();
+  from_restart = false;
+  follow_step(update->ntimestep);
+  stuck = wall.stuck();
+  if (region)
+    region->init();
+  of_bodies.init();
+  owes_bodies = !of_bodies.stand_before(fix_);
+  int &stages = program_->modify->fmask[program_->modify->find_fix(fix_->id)];
+  stages = owes_bodies ? stages | INITIAL_INTEGRATE : stages & ~INITIAL_INTEGRATE;
+  if (of_bodies.any())
+    wall.setup.check_bodies();
 }
 
 /* The command reset_timestep tells no fix, and a `run pre no` may follow it. */
@@ -267,23 +231,21 @@ void FixWallRebound::Parts::follow_step(bigint last) {
   last_step = last;
 }
 
+void FixWallRebound::Parts::set_up_shapes() {
+  const double off = region ? region->setup() : 0;
+  if (off > 0)
+    warn(text("the region stands %.4g from where the last step has left it; what lies between "
+              "is passed without a contact. Its variables must go on from run to run: by "
+              "'time', not by 'step*dt' behind the command timestep",
+              off));
+  if (mesh) {
+    mesh->setup(wall.setup.time(static_cast<double>(program_->update->ntimestep)));
+    mesh->set_images(box());
+  }
+}
+
 void FixWallRebound::setup(int) {
-  p_->steps = false;
-  p_->check_movers();
-  p_->attempt([this] {
-    const double off = p_->region ? p_->region->setup() : 0;
-    if (off > 0)
-      p_->warn(
-          text("the region stands %.4g from where the last step has left it; what lies between "
-               "is passed without a contact. Its variables must go on from run to run: by "
-               "'time', not by 'step*dt' behind the command timestep",
-               off));
-    if (p_->mesh) {
-      p_->mesh->setup(p_->wall.setup.time(static_cast<double>(update->ntimestep)));
-      p_->mesh->set_images(p_->box());
-    }
-  });
-  p_->begin(true);
+  WallHooks::setup(0);
   p_->push_spheres();
   if (!p_->owes_bodies)
     p_->attempt([this] { p_->push_bodies(); });
@@ -300,8 +262,8 @@ void FixWallRebound::initial_integrate(int) {
 
 void FixWallRebound::Parts::begin_step() {
   const Update *update = program_->update;
-  steps = true;
   follow_step(update->ntimestep - 1);
+  last_step = update->ntimestep;
   wall.setup.box = box();
   if (region)
     region->begin_step();
@@ -312,26 +274,8 @@ void FixWallRebound::Parts::begin_step() {
   }
 }
 
-void FixWallRebound::pre_exchange() {
-  atom->natoms -= p_->delete_particles();
-}
-
-void FixWallRebound::pre_neighbor() {
-  p_->set_rows();
-  p_->list_bodies(false);
-  p_->wall.reorder(p_->spheres());
-}
-
-void FixWallRebound::post_neighbor() {
-  p_->check_movers();
-}
-
 void FixWallRebound::end_of_step() {
-  if (!p_->steps)
-    p_->fail("rerun is not supported: a rebound is an event in time; use run");
-  p_->last_step = update->ntimestep;
-  p_->hold();
-  p_->end_step();
+  WallHooks::end_of_step();
   if (p_->mesh && p_->map.is_due(update->ntimestep))
     p_->attempt([this] {
       p_->map.write(world, update->ntimestep, p_->time(), p_->mesh->triangles(),
@@ -341,15 +285,11 @@ void FixWallRebound::end_of_step() {
 
 void FixWallRebound::post_run() {
   p_->stuck = p_->wall.stuck();
-  p_->end();
+  WallHooks::post_run();
 }
 
 /* ---- output and restart -----------------------------------------------------------------------
  */
-
-double FixWallRebound::memory_usage() {
-  return p_->wall.bytes() + static_cast<double>(atom->nmax * sizeof(double) * Wall::N_STATE);
-}
 
 /* A data file is read before the wall is there, so that nothing of the wall can be in it. LAMMPS
  * calls rank 0 only. */
@@ -366,55 +306,4 @@ int FixWallRebound::pack_forward_comm(int n, int *list, double *buffer, int, int
 
 void FixWallRebound::unpack_forward_comm(int n, int first, double *buffer) {
   p_->of_bodies.unpack(n, first, buffer);
-}
-
-/* ---- numbers of each atom: in rows, which LAMMPS shows, and in memories
- * --------------------------
- */
-
-void FixWallRebound::grow_arrays(int n) {
-  memory->grow(array_atom, n, Wall::N_STATE, "wall/rebound:array_atom");
-  p_->wall.stepper.rows.grow(n);
-  p_->set_rows();
-}
-
-void FixWallRebound::copy_arrays(int from, int to, int) {
-  std::copy_n(array_atom[from], int{Wall::N_STATE}, array_atom[to]);
-  p_->wall.stepper.rows.copy(from, to);
-}
-
-void FixWallRebound::set_arrays(int i) {
-  std::fill_n(array_atom[i], int{Wall::N_STATE}, 0.0);
-  p_->wall.stepper.rows.clear(i);
-}
-
-int FixWallRebound::pack_exchange(int i, double *buffer) {
-  std::copy_n(array_atom[i], int{Wall::N_STATE}, buffer);
-  return Wall::N_STATE + p_->wall.stepper.rows.pack(i, buffer + Wall::N_STATE);
-}
-
-int FixWallRebound::unpack_exchange(int i, double *buffer) {
-  std::copy_n(buffer, int{Wall::N_STATE}, array_atom[i]);
-  return Wall::N_STATE + p_->wall.stepper.rows.unpack(i, buffer + Wall::N_STATE);
-}
-
-/* LAMMPS restart format: the length first, which counts itself. */
-int FixWallRebound::pack_restart(int i, double *buffer) {
-  const int count = 1 + pack_exchange(i, buffer + 1);
-  buffer[0] = count;
-  return count;
-}
-
-void FixWallRebound::unpack_restart(int i, int nth) {
-  const double *saved = asperity::Memories::part(atom->extra[i], nth);
-  unpack_exchange(i, const_cast<double *>(saved) + 1);
-}
-
-int FixWallRebound::size_restart(int i) {
-  double packed[SAVED_MOST];
-  return pack_restart(i, packed);
-}
-
-int FixWallRebound::maxsize_restart() {
-  return SAVED_MOST;
 }

@@ -26,26 +26,11 @@ public:
   ~FixWallRebound() override;
 
   int setmask() override;
-  void init() override;
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
-  void pre_exchange() override;
-  void pre_neighbor() override;
-  void post_neighbor() override;
   void end_of_step() override;
   void post_run() override;
-  double memory_usage() override;
   void write_data_header(FILE *file, int which) override;
-
-  void grow_arrays(int n) override;
-  void copy_arrays(int from, int to, int delflag) override;
-  void set_arrays(int i) override;
-  int pack_exchange(int i, double *buffer) override;
-  int unpack_exchange(int i, double *buffer) override;
-  int pack_restart(int i, double *buffer) override;
-  void unpack_restart(int i, int nth) override;
-  int size_restart(int i) override;
-  int maxsize_restart() override;
 
   int pack_forward_comm(int n, int *list, double *buffer, int pbc_flag, int *pbc) override;
   void unpack_forward_comm(int n, int first, double *buffer) override;

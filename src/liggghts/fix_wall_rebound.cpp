@@ -8,19 +8,9 @@
 #include <string.h>
 #include <algorithm>
 
-#include "atom.h"
-#include "atom_vec.h"
-#include "comm.h"
-#include "domain.h"
-#include "error.h"
-#include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
 #include "fix_wall_gran.h"
-#include "group.h"
-#include "modify.h"
-#include "output.h"
-#include "update.h"
 #include "dem/error.h"
 #include "dem/shapes/primitive.h"
 #include "dem/text.h"
@@ -36,8 +26,7 @@ using asperity::Words;
  */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
-    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false),
-      fix_state_(NULL) {
+    : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false) {
   check_id();
   check_atoms();
   attempt([&] {
@@ -48,22 +37,11 @@ FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     wall.parse(words, geometry);
   });
   set_flags();
-  FixWallRebound::grow_arrays(atom->nmax);
-  atom->add_callback(0); /* of arrays, and of restart files */
-  atom->add_callback(1);
+  add_rows();
 }
 
 FixWallRebound::~FixWallRebound() {
-  atom->delete_callback(Fix::id, 0);
-  atom->delete_callback(Fix::id, 1);
-}
-
-void FixWallRebound::fail(const std::string &what) const {
-  error->fix_error(FLERR, const_cast<FixWallRebound *>(this), what.c_str());
-}
-
-void FixWallRebound::fail_alone(const std::string &what) const {
-  error->one(FLERR, ("Fix wall/rebound (id " + id() + "): " + what).c_str());
+  remove_rows();
 }
 
 void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
@@ -136,32 +114,9 @@ int FixWallRebound::setmask() {
          END_OF_STEP | POST_RUN;
 }
 
-std::string FixWallRebound::state_id() const {
-  return std::string("rebound_") + Fix::id;
-}
-
-/* Zeros for each particle, which go with it and into restart files. LIGGGHTS would warn of more
- * than 20 columns. */
-FixPropertyAtom *FixWallRebound::add_property(const std::string &name, int columns) {
-  std::vector<std::string> words = {name, "all", "property/atom", name, "vector", "yes",
-                                    "no", "no"};
-  words.resize(words.size() + columns, "0.");
-  std::vector<char *> arg;
-  for (std::string &word : words)
-    arg.push_back(&word[0]);
-  FILE *const to[] = {screen, logfile};
-  screen = logfile = NULL;
-  FixPropertyAtom *made =
-      modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
-  screen = to[0];
-  logfile = to[1];
-  return made;
-}
-
 void FixWallRebound::post_create() {
   if (modify->fix_restart_in_progress() && !wall.is_restored())
     warn_of_no_restart();
-  fix_state_ = add_property(state_id(), Wall::N_STATE);
   for (MeshOfLiggghts *mesh : meshes_)
     if (strstr(mesh->fix()->style, "servo")) /* it counts what is near, by LIGGGHTS's own list */
       mesh->fix()->createWallNeighList(igroup);
@@ -170,8 +125,6 @@ void FixWallRebound::post_create() {
 void FixWallRebound::pre_delete(bool unfixflag) {
   if (unfixflag)
     report_loss();
-  if (unfixflag && modify->find_fix_id(state_id().c_str()))
-    modify->delete_fix(state_id().c_str());
   for (size_t m = 0; unfixflag && m < meshes_.size(); m++)
     if (modify->find_fix_id(mesh_ids_[m].c_str()) == meshes_[m]->fix()) {
       meshes_[m]->remove_sums();
@@ -185,23 +138,6 @@ void FixWallRebound::pre_delete(bool unfixflag) {
 
 std::string FixWallRebound::known_units() const {
   return "si, cgs or micro";
-}
-
-double FixWallRebound::time() const {
-  return update->get_cur_time();
-}
-
-void FixWallRebound::warn(const std::string &what) const {
-  if (comm->me == 0)
-    error->warning(FLERR, ("Fix wall/rebound (id " + id() + "): " + what).c_str());
-}
-
-void FixWallRebound::print(const std::string &what) const {
-  if (comm->me != 0)
-    return;
-  for (FILE *to : {screen, logfile})
-    if (to)
-      fprintf(to, "%s\n", what.c_str());
 }
 
 bool FixWallRebound::constants(const char *name, bool pairs, std::vector<double> &values) const {
@@ -303,7 +239,7 @@ void FixWallRebound::check_bodies() {
   if (modify->n_fixes_style("multisphere") > 1 ||
       modify->n_fixes_style("multisphere/nointegration") > 0)
     fail("bodies must be those of one fix multisphere");
-  attempt([this] { wall.setup.check_bodies(); });
+  wall.setup.check_bodies();
 }
 
 /* Fixes and meshes that the wall uses may have been deleted since. */
@@ -312,8 +248,6 @@ void FixWallRebound::check_meshes() const {
     if (modify->find_fix_id(mesh_ids_[m].c_str()) != meshes_[m]->fix())
       fail("mesh '" + mesh_ids_[m] +
            "' has been deleted while this wall uses it; unfix the wall first");
-  if (fix_state_ && modify->find_fix_id(state_id().c_str()) != fix_state_)
-    fail("fix property/atom '" + state_id() + "' has been deleted while this wall uses it");
   for (MeshOfLiggghts *mesh : meshes_)
     check_owner(mesh->fix());
 }
@@ -336,35 +270,26 @@ void FixWallRebound::check_owner(const FixMeshSurface *mesh) const {
 /* ---- a run ------------------------------------------------------------------------------------
  */
 
-void FixWallRebound::init() {
-  find_walls([](Fix *fix) -> WallFix * { return dynamic_cast<FixWallRebound *>(fix); });
-  check_run();
-  check_atoms();
+void FixWallRebound::prepare() {
   check_meshes();
   check_bodies();
   for (MeshOfLiggghts *mesh : meshes_)
     if (mesh->fix()->triMesh()->prop().getGlobalProperty<ScalarContainer<double>>("Temp"))
       warn("mesh '" + std::string(mesh->fix()->id) +
            "' has a temperature; this wall conducts no heat, by 'fix heat/gran' or otherwise");
-  attempt([this] { wall.init(update->ntimestep, update->dt); });
 }
 
-void FixWallRebound::set_rows() {
-  double **state = fix_state_->array_atom;
-  wall.set_rows(state ? state[0] : NULL);
+void FixWallRebound::set_up_shapes() {
+  for (MeshOfLiggghts *mesh : meshes_) {
+    const std::string report = mesh->setup(box());
+    mesh->set_images(box());
+    if (!report.empty())
+      print("fix " + id() + " wall/rebound: " + report);
+  }
 }
 
 void FixWallRebound::setup(int) {
-  check_movers();
-  attempt([&] {
-    for (MeshOfLiggghts *mesh : meshes_) {
-      const std::string report = mesh->setup(box());
-      mesh->set_images(box());
-      if (!report.empty())
-        print("fix " + id() + " wall/rebound: " + report);
-    }
-  });
-  begin(true);
+  WallHooks::setup(0);
   is_set_up_ = true;
   show_maps();
 }
@@ -386,18 +311,6 @@ void FixWallRebound::begin_step() {
   }
 }
 
-/* Comm::exchange, which follows, counts the atoms anew. */
-void FixWallRebound::pre_exchange() {
-  delete_particles();
-}
-
-void FixWallRebound::pre_neighbor() {
-  check_movers();
-  set_rows();
-  list_bodies(false);
-  wall.reorder(spheres());
-}
-
 /* Meshes that measure: LIGGGHTS has cleared their sums by now, and will use them after the forces.
  */
 void FixWallRebound::pre_force(int) {
@@ -407,15 +320,14 @@ void FixWallRebound::pre_force(int) {
 }
 
 void FixWallRebound::end_of_step() {
-  hold();
+  WallHooks::end_of_step();
   if (is_output())
     show_maps();
-  end_step();
 }
 
 void FixWallRebound::post_run() {
   show_maps();
-  end();
+  WallHooks::post_run();
 }
 
 void FixWallRebound::show_maps() {
@@ -427,51 +339,4 @@ void FixWallRebound::show_maps() {
 
 void FixWallRebound::reset_timestep(bigint now, bigint before) {
   wall.setup.clock.step += static_cast<double>(now - before);
-}
-
-/* ---- output and restart -----------------------------------------------------------------------
- */
-
-double FixWallRebound::memory_usage() {
-  return wall.bytes();
-}
-
-/* ---- the memory of each particle --------------------------------------------------------------
- */
-
-void FixWallRebound::grow_arrays(int n) {
-  wall.stepper.rows.grow(n);
-}
-
-void FixWallRebound::copy_arrays(int from, int to, int) {
-  wall.stepper.rows.copy(from, to);
-}
-
-void FixWallRebound::set_arrays(int i) {
-  wall.stepper.rows.clear(i);
-}
-
-int FixWallRebound::pack_exchange(int i, double *buffer) {
-  return wall.stepper.rows.pack(i, buffer);
-}
-
-int FixWallRebound::unpack_exchange(int i, double *buffer) {
-  return wall.stepper.rows.unpack(i, buffer);
-}
-
-int FixWallRebound::pack_restart(int i, double *buffer) {
-  return wall.stepper.rows.pack(i, buffer);
-}
-
-void FixWallRebound::unpack_restart(int i, int nth) {
-  wall.stepper.rows.unpack(i, asperity::Memories::part(atom->extra[i], nth));
-}
-
-int FixWallRebound::size_restart(int i) {
-  double packed[asperity::PACKED_MOST];
-  return wall.stepper.rows.pack(i, packed);
-}
-
-int FixWallRebound::maxsize_restart() {
-  return asperity::PACKED_MOST;
 }

@@ -20,14 +20,31 @@ FixStyle(wall/rebound, FixWallRebound)
 #include <string>
 #include <vector>
 
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
 #include "fix.h"
+#include "group.h"
+#include "memory.h"
+#include "modify.h"
+#include "output.h"
+#include "update.h"
 #include "bodies_liggghts.h"
 #include "mesh_liggghts.h"
 #include "dem/wall_fix.h"
 
 namespace LAMMPS_NS {
 
-typedef asperity::EngineOf<LAMMPS, Fix> EngineOfLiggghts;
+struct MessageOfLiggghts {
+  std::string text;
+  operator const char *() const {
+    return text.c_str();
+  }
+};
+
+typedef asperity::EngineOf<LAMMPS, Fix, MessageOfLiggghts> EngineOfLiggghts;
 
 class FixWallRebound : public asperity::WallHooks<Fix, EngineOfLiggghts>,
                        private asperity::WallFix<EngineOfLiggghts> {
@@ -38,44 +55,27 @@ public:
   int setmask() override;
   void post_create() override;
   void pre_delete(bool unfixflag) override;
-  void init() override;
   void setup(int vflag) override;
   void pre_initial_integrate() override;
-  void pre_exchange() override;
-  void pre_neighbor() override;
   void pre_force(int vflag) override;
   void end_of_step() override;
   void post_run() override;
   void reset_timestep(bigint now, bigint before) override;
   int min_type() override;
   int max_type() override;
-  double memory_usage() override;
-
-  void grow_arrays(int n) override;
-  void copy_arrays(int from, int to, int delflag) override;
-  void set_arrays(int i) override;
-  int pack_exchange(int i, double *buffer) override;
-  int unpack_exchange(int i, double *buffer) override;
-  int pack_restart(int i, double *buffer) override;
-  void unpack_restart(int i, int nth) override;
-  int size_restart(int i) override;
-  int maxsize_restart() override;
 
 private:
   /* asperity::Engine, and asperity::WallFix */
   using EngineOf::id;
   std::string known_units() const override;
-  double time() const override;
-  void warn(const std::string &what) const override;
-  void print(const std::string &what) const override;
   bool constants(const char *name, bool pairs, std::vector<double> &values) const override;
   std::string how_to_state(const char *name, bool pairs, const std::string &values) const override;
   const double *numbers(const std::string &name) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;
-  void fail(const std::string &what) const override;
-  void fail_alone(const std::string &what) const override;
-  void set_rows() override;
+  void check_atoms() const override;
+  void prepare() override;
+  void set_up_shapes() override;
   void begin_step() override;
   WallFix &wall_fix() override {
     return *this;
@@ -91,19 +91,15 @@ private:
   void check_bodies();
   void read_geometry(asperity::Words &words, std::string &geometry);
   std::string read_meshes(asperity::Words &words);
-  class FixPropertyAtom *add_property(const std::string &name, int columns);
-  std::string state_id() const;
   void check_id() const;
-  void check_atoms() const;
   void check_meshes() const;
   void check_owner(const FixMeshSurface *mesh) const;
   void show_maps();
 
   std::vector<std::string> mesh_ids_;
-  std::vector<MeshOfLiggghts *> meshes_; /* the wall's shapes; empty: a primitive wall */
-  int wall_type_[2];                     /* least and largest */
-  bool is_set_up_;                       /* and no step yet */
-  class FixPropertyAtom *fix_state_;
+  std::vector<MeshOfLiggghts *> meshes_;     /* the wall's shapes; empty: a primitive wall */
+  int wall_type_[2];                         /* least and largest */
+  bool is_set_up_;                           /* and no step yet */
   std::unique_ptr<BodiesOfLiggghts> bodies_; /* of the run */
 };
 

@@ -6,14 +6,7 @@
 #include <vector>
 
 #include "lammps.h"
-#include "atom.h"
-#include "comm.h"
-#include "domain.h"
-#include "group.h"
 #include "input.h"
-#include "modify.h"
-#include "output.h"
-#include "update.h"
 #include "fix_wall_rebound.h"
 
 #include "count.h"

@@ -163,8 +163,6 @@ bad "$plane" "fix wall $plane" "a wall with this ID exists" "'unfix'"
 # orders that come after the wall: behind a line break, where the deck goes on
 bad "$mesh
 unfix plate" "" "plate" "unfix"
-bad "$plane
-unfix rebound_wall" "" "rebound_wall" "property/atom"
 bad "$plane materials quartz hastelloy-x" "fix grain all particletemplate/sphere 10007 atom_type 2 volume_limit 1e-20 density constant 2650 radius constant 5e-6" "'hastelloy-x'" "type 2" "no yield stress"
 units=real bad "$plane materials quartz hastelloy-x" "" "'units real'" "si, cgs or micro"
 units=real bad "$plane rebound table nowhere.csv" "" "'units real'" "si, cgs or micro"

@@ -6,7 +6,7 @@ source "$(dirname "$0")/engine.sh"
 source "$here/body_scene.sh"
 
 show="compute out all reduce max vx
-compute state all reduce sum f_rebound_floor[1] f_rebound_floor[2]
+compute state all reduce sum f_floor[1] f_floor[2]
 thermo_style custom step atoms c_ke c_re f_floor[2] f_floor[3] f_floor[7] f_floor[9] c_out c_state[1] c_state[2]
 thermo 1000000"
 # Each body sticks once; at rest the floor carries their weight, rm of all spheres by their bodies.

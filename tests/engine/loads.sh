@@ -95,15 +95,15 @@ set region above diameter 0.008 density 2500
 fix fall all gravity 9.81 vector 0 0 -1
 compute spin all erotate/sphere
 compute z all reduce sum z
-compute force all reduce sum f_rebound_wall[3] f_rebound_wall[4] f_rebound_wall[5]
+compute force all reduce sum f_wall[3] f_wall[4] f_wall[5]
 thermo_style custom step ke c_spin c_z f_wall[13] c_force[1] c_force[2] c_force[3] f_wall[7] f_wall[8] f_wall[9]
 thermo_modify format float %.17g norm no
 thermo 1
 timestep 2e-4
-$(pictures 800 at.txt "x y z f_rebound_wall[5] f_rebound_wall[6] f_rebound_wall[7] f_rebound_wall[8]")
+$(pictures 800 at.txt "x y z f_wall[5] f_wall[6] f_wall[7] f_wall[8]")
 run 400
 thermo 50
-run 400"; } | if [ $engine = lammps ]; then sed 's/f_rebound_wall/f_wall/g'; else cat; fi > slide.in
+run 400"; } > slide.in
   engine 2 slide.in
   { cat common.py; cat << 'END'; } > now.py
 first = None

@@ -115,7 +115,7 @@ timestep 2e-8
 thermo_style custom step f_w f_w[1][1] f_w[2][1]
 thermo 10000
 dump low all mesh/vtk 1000 low.vtk output face lo id impacts
-dump end all custom 1000 end.txt id x z f_rebound_w[2]
+dump end all custom 1000 end.txt id x z f_w[2]
 dump_modify end sort id format \"%d %.10g %.10g %.0f\"
 run 0
 $3"

@@ -129,7 +129,7 @@ TEST(other_version) {
   put(record, VERSION, 7);
   sum_up(record);
   assert_says(wrong_of(record, record.size(), SIZE_MAX),
-              "is of version 7; it must be of version 5");
+              "is of version 7; it must be of version 6");
 }
 
 /* What was written before records had a name began with counters. */

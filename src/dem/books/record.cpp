@@ -16,7 +16,7 @@ using namespace asperity;
 namespace {
 
 /* Another list of what is in a record is another version. */
-const uint32_t VERSION = 5;
+const uint32_t VERSION = 6;
 const char MAGIC[8] = {'a', 's', 'p', '-', 'w', 'a', 'l', 'l'};
 
 struct Head {

@@ -155,14 +155,6 @@ struct Memories {
   }
   int pack(int i, double *to) const;
   int unpack(int i, const double *from);
-
-  /* Number `nth` of the parts of a restart file's particle, each of which begins with its length.
-   */
-  static const double *part(const double *all, int nth) {
-    for (; nth > 0; nth--)
-      all += static_cast<int>(*all);
-    return all;
-  }
 };
 
 /* Those of the bodies that were claimed last, in their order. */
