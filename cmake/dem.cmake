@@ -38,7 +38,7 @@ add_library(asperity_dem STATIC
   dem/step/search.cpp
   dem/step/contact_point.cpp
   dem/step/step.cpp
-  dem/step/stepper.cpp
+  dem/step/population.cpp
   dem/step/stick.cpp
   dem/step/sustained.cpp
   dem/step/held.cpp

@@ -10,10 +10,10 @@ using namespace asperity;
 Run::Run(const Engine &engine)
     : wall(engine), has_begun_(false), has_steps_(false), is_checked_(false) {}
 
-std::vector<Stepper *> Run::steppers() const {
-  std::vector<Stepper *> all;
+std::vector<Wall *> Run::all_walls() const {
+  std::vector<Wall *> all;
   for (Run *each : walls)
-    all.push_back(&each->wall.stepper);
+    all.push_back(&each->wall);
   return all;
 }
 
@@ -26,7 +26,7 @@ Spheres Run::spheres() const {
 }
 
 Bodies *Run::take_bodies() {
-  return bodies().any() ? bodies().take(steppers()) : NULL;
+  return bodies().any() ? bodies().take(all_walls()) : NULL;
 }
 
 /* ---- a run ------------------------------------------------------------------------------------
@@ -39,7 +39,7 @@ void Run::list_bodies(bool begins) {
   if (!bodies().any())
     return;
   const Spheres s = all_spheres();
-  bodies().list(steppers(), begins);
+  bodies().list(all_walls(), begins);
   body_rows_.reset(s, walls.size());
   for (int i = 0; i < s.n; i++)
     masks_.push_back(bodies().has(i) ? 0 : s.mask[i]);
@@ -50,7 +50,7 @@ void Run::begin(bool is_setup) {
   attempt([this, is_setup] {
     const Spheres all = spheres();
     wall.begin_run(all, group_bit(), box());
-    wall.stepper.free_displaced(all, is_setup ? 0 : all.dt);
+    wall.free_displaced(all, is_setup ? 0 : all.dt);
   });
   has_begun_ = true;
   has_steps_ = false;
@@ -59,7 +59,7 @@ void Run::begin(bool is_setup) {
 void Run::push_spheres() {
   if (walls.back() != this)
     return;
-  push_again(steppers(), spheres());
+  push_again(all_walls(), spheres());
 }
 
 void Run::push_bodies() {
@@ -67,9 +67,9 @@ void Run::push_bodies() {
     return;
   Run &first = *walls.front();
   if (Bodies *all = first.take_bodies()) {
-    for (Stepper *each : steppers()) /* all walls are where this run finds them */
+    for (Wall *each : all_walls()) /* all walls are where this run finds them */
       each->free_displaced(*all, 0);
-    push_again(steppers(), *all);
+    push_again(all_walls(), *all);
     first.bodies().put(true, wall.setup.engine.world());
   }
 }
@@ -87,7 +87,7 @@ void Run::step() {
       each->has_steps_ = true;
       each->wall.set_dt(now.step - 1, now.dt);
       if (grow)
-        each->wall.stepper.clear_ahead();
+        each->wall.clear_ahead();
       each->begin_step();
       each->wall.setup.find_temperatures();
       if (!each->is_checked_)
@@ -97,14 +97,14 @@ void Run::step() {
     Bodies *all = take_bodies();
     if (all && all->begins) /* the run */
       warn_of_lost(*all);
-    step_walls(steppers(), now, all);
+    step_walls(all_walls(), now, all);
   } catch (const std::exception &wrong) {
     fail_alone(message_of(wrong));
   }
   if (bodies().any())
     bodies().put(false, wall.setup.engine.world());
   for (Run *each : walls) {
-    int mine = each->wall.stepper.has_to_delete, any; /* all ranks must agree */
+    int mine = each->wall.has_to_delete, any; /* all ranks must agree */
     if (!each->deletes())
       continue;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, wall.setup.engine.world());
@@ -125,13 +125,13 @@ void Run::hold() {
     s.dt = wall.setup.dt; /* another fix may have changed that of the next step */
     if (all)
       all->dt = s.dt;
-    end_walls(steppers(), s, all);
+    end_walls(all_walls(), s, all);
   } catch (const std::exception &wrong) {
     fail_alone(message_of(wrong));
   }
   if (all) {
     bodies().put(true, wall.setup.engine.world());
-    body_rows_.show(steppers(), *all, wall.setup.engine.world());
+    body_rows_.show(all_walls(), *all, wall.setup.engine.world());
   }
   for (Run *each : walls)
     each->wall.books.end_loads();
@@ -145,12 +145,12 @@ void Run::end() {
 void Run::list_deleted() {
   BodySource &of = walls.front()->bodies();
   if (of.any())
-    of.list_deleted(wall.stepper.body_rows, wall.setup.engine.world());
+    of.list_deleted(wall.body_rows, wall.setup.engine.world());
 }
 
 bool Run::is_deleted(int i) {
   const BodySource &of = walls.front()->bodies();
-  return wall.stepper.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i));
+  return wall.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i));
 }
 
 /* ---- restart, and what is lost ----------------------------------------------------------------
@@ -176,7 +176,7 @@ void Run::warn_of_no_restart() const {
 }
 
 void Run::warn_of_lost(const Bodies &all) {
-  const size_t saved = wall.stepper.body_rows.take_restored();
+  const size_t saved = wall.body_rows.take_restored();
   long long mine = static_cast<long long>(all.all.size()), now;
   MPI_Allreduce(&mine, &now, 1, MPI_LONG_LONG, MPI_SUM, wall.setup.engine.world());
   if (now < static_cast<long long>(saved))

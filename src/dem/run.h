@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "dem/error.h"
-#include "dem/wall.h"
+#include "dem/step/mover.h"
 
 namespace asperity {
 
@@ -97,7 +97,7 @@ private:
   bool leads() const {
     return walls.front() == this;
   }
-  std::vector<Stepper *> steppers() const;
+  std::vector<Wall *> all_walls() const;
   Bodies *take_bodies();
   void warn_of_lost(const Bodies &all);
 

@@ -52,8 +52,10 @@ static std::vector<int> wall_types(const Setup &setup) {
 }
 
 Wall::Wall(const Engine &engine)
-    : setup(engine), books(setup), stepper(setup, books), fastest_(0), warned_(false),
-      warned_of_passing_(false) {}
+    : setup(engine), rows(), books(setup, rows), grains(setup, rows, false),
+      bodies(setup, body_rows, true), begins(false), is_rough(false), has_valleys(false),
+      has_lay(false), is_still(false), has_to_delete(false), is_cut(false), is_passed(false),
+      dt_ahead(0), fastest_(0), warned_(false), warned_of_passing_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
@@ -97,16 +99,26 @@ void Wall::init(int64_t step, double dt) {
     setup.engine.print("fix " + setup.engine.id() + " wall/rebound: " + report);
 }
 
-void Wall::begin_run(const Spheres &spheres, int groupbit, const Box &box) {
+void Wall::begin_run(const Spheres &s, int groupbit, const Box &box) {
   setup.groupbit = groupbit;
   setup.box = box;
   check_box(setup);
   books.begin_run();
-  stepper.begin_run(spheres, shape_now_);
-  books.reorder(spheres.n);
+  for (int i = 0; i < s.n && is_restored(); i++)
+    if (Memory *of = rows.find(i)) {
+      renumber(shape_now_, rows.state[i], *of);
+      for (Stuck &at : of->stuck)
+        if (!(at.shape >= 1)) /* it stays where it is before the engine moves it */
+          aspi_copy(s.x + 3 * static_cast<size_t>(i), at.at);
+    }
   shape_now_.clear();
+  is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
+  has_valleys = is_rough && setup.interlocks && setup.model.dissipates();
+  has_lay = setup.model.lay().kind != ASP_LAY_NONE || setup.engine.dimension() == 2;
+  begins = true;
+  grains.begin_run(setup, s);
   fastest_ = 0;
-  check_speeds(spheres);
+  reorder(s);
   warn_of_speeds();
 }
 
@@ -142,20 +154,32 @@ void Wall::check_use(const Bounds *box, const char *empty_group) {
 }
 
 void Wall::set_rows(double *state) {
-  stepper.rows.state = reinterpret_cast<MoverState *>(state);
+  rows.state = reinterpret_cast<MoverState *>(state);
 }
 
-void Wall::reorder(const Spheres &spheres) {
-  stepper.reorder(spheres);
-  books.reorder(spheres.n);
-  check_speeds(spheres);
+void Wall::reorder(const Spheres &s) {
+  has_to_delete = false;
+  grains.list(s, setup.groupbit);
+  for (const StuckOne &one : grains.stuck) {
+    Stuck &at = rows.stuck(one.i);
+    Load &load = rows.own(one.i).load;
+    if (at.is_kept > 0 && books.is_in_step() && !(load.waits > 0)) {
+      load.waits = 1;
+      aspi_copy(rows.state[one.i].force, load.force);
+      aspi_scale(0.5, load.force); /* a half is over */
+      aspi_copy(rows.state[one.i].point, load.point);
+    }
+    at.is_kept = 0;
+  }
+  books.reorder(s.n);
+  check_speeds(s);
 }
 
 void Wall::set_dt(int64_t step, double dt) {
   if (setup.dt >= dt && setup.dt <= dt)
     return;
   setup.set_clock(step, dt);
-  stepper.clear_ahead(); /* it counts steps */
+  clear_ahead(); /* it counts steps */
 }
 
 /* Each rank checks its own particles at every neighbor build. The ranks exchange results only when
@@ -170,9 +194,9 @@ void Wall::check_speeds(const Spheres &s) {
 }
 
 void Wall::warn_of_speeds() {
-  int mine[2] = {stepper.is_cut, stepper.is_passed}, any[2];
+  int mine[2] = {is_cut, is_passed}, any[2];
   MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, setup.engine.world());
-  stepper.is_cut = stepper.is_passed = false;
+  is_cut = is_passed = false;
   if (any[1] && !warned_of_passing_)
     setup.engine.warn(
         "the wall has closed on a particle that has no room, or has gone over one that is stuck to "
@@ -207,7 +231,7 @@ void Wall::end_run() {
 }
 
 double Wall::stuck() const {
-  double mine = static_cast<double>(stepper.grains.stuck.size() + stepper.bodies.stuck.size()), all;
+  double mine = static_cast<double>(grains.stuck.size() + bodies.stuck.size()), all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, setup.engine.world());
   return all;
 }
@@ -217,7 +241,7 @@ double Wall::worn_density(size_t shape) const {
 }
 
 double Wall::bytes() const {
-  size_t all = stepper.grains.bytes() + stepper.bodies.bytes() + books.bytes();
+  size_t all = grains.bytes() + bodies.bytes() + books.bytes();
   for (const Member &member : setup.shapes)
     all += member.shape->bytes();
   return static_cast<double>(all);
@@ -228,7 +252,7 @@ double Wall::bytes() const {
 
 std::vector<char> Wall::save() {
   WallState state = WallState();
-  state.bodies = gather(stepper.body_rows.pack(), setup.engine.world());
+  state.bodies = gather(body_rows.pack(), setup.engine.world());
   state.settings = settings();
   books.save(state);
   std::copy(setup.model.sizes(), setup.model.sizes() + 2, state.d_range);
@@ -262,11 +286,11 @@ void Wall::restore(const char *record) {
                       changes);
   setup.model.set_sizes(saved.d_range);
   setup.clock = Clock{saved.clock[0], saved.clock[1], saved.clock[2]};
-  stepper.dt_ahead = setup.clock.dt;
+  dt_ahead = setup.clock.dt;
   restore_meshes(saved);
   if (setup.engine.rank() == 0) /* from which they are claimed */
-    stepper.body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {
-      Stepper::renumber(shape_now_, state, memory);
+    body_rows.restore(saved.bodies, [this](MoverState &state, Memory &memory) {
+      renumber(shape_now_, state, memory);
     });
 }
 
@@ -300,4 +324,21 @@ void Wall::restore_meshes(const WallState &saved) {
   }
   if (!lost.empty())
     setup.engine.warn("not continued by a mesh, but kept in the wall's own counters: " + lost);
+}
+
+void Wall::renumber(const std::vector<int> &shape_now, MoverState &state, Memory &memory) {
+  const auto now = [&](double saved) {
+    return saved >= 1 && saved <= static_cast<double>(shape_now.size())
+               ? shape_now[static_cast<size_t>(saved) - 1]
+               : 0;
+  };
+  for (Stuck &at : memory.stuck)
+    at.shape = now(at.shape);
+  for (Rest &rest : memory.rests)
+    rest.shape = now(rest.shape);
+  memory.rests.erase(std::remove_if(memory.rests.begin(), memory.rests.end(),
+                                    [](const Rest &rest) { return !(rest.shape >= 1); }),
+                     memory.rests.end());
+  if (memory.rests.empty() && state.status < 0)
+    state.status = static_cast<double>(Status::FREE);
 }

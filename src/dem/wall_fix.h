@@ -426,7 +426,7 @@ protected:
 
 private:
   Memories &memories() {
-    return wall_fix().wall.stepper.rows;
+    return wall_fix().wall.rows;
   }
 };
 

@@ -145,7 +145,7 @@ Fix *BodiesOfLammps::fix_of(int i) const {
 /* ---- listing ----------------------------------------------------------------------------------
  */
 
-void BodiesOfLammps::list(const std::vector<asperity::Stepper *> &walls, bool begins) {
+void BodiesOfLammps::list(const std::vector<asperity::Wall *> &walls, bool begins) {
   std::map<double, size_t> numbers; /* by the tags of their owners */
   owned_.clear();
   owners_.clear();
@@ -238,7 +238,7 @@ void BodiesOfLammps::read() {
   }
 }
 
-Bodies *BodiesOfLammps::take(const std::vector<asperity::Stepper *> &) {
+Bodies *BodiesOfLammps::take(const std::vector<asperity::Wall *> &) {
   read();
   for (Fix *fix : fixes_)
     if (!is_checked_ && !is_known(fix))

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fix.h"
-#include "dem/wall.h"
+#include "dem/step/bodies.h"
 
 namespace LAMMPS_NS {
 
@@ -34,8 +34,8 @@ public:
   bool has(int i) const override {
     return fix_of(i) != NULL;
   }
-  void list(const std::vector<asperity::Stepper *> &walls, bool begins) override;
-  asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
+  void list(const std::vector<asperity::Wall *> &walls, bool begins) override;
+  asperity::Bodies *take(const std::vector<asperity::Wall *> &walls) override;
 
   /* A Row of each particle to its ghosts. */
   int pack(int n, const int *list, double *to) const;

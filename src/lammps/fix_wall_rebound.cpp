@@ -270,7 +270,7 @@ void FixWallRebound::Parts::begin_step() {
   if (mesh) {
     mesh->begin_step(wall.setup.time(static_cast<double>(update->ntimestep)), update->dt);
     if (mesh->set_images(box()))
-      wall.stepper.clear_ahead();
+      wall.clear_ahead();
   }
 }
 

@@ -51,7 +51,7 @@ BodiesOfLiggghts::BodiesOfLiggghts(LAMMPS *engine)
       fix_(static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0))),
       is_reordered_(true) {}
 
-Bodies *BodiesOfLiggghts::take(const std::vector<asperity::Stepper *> &walls) {
+Bodies *BodiesOfLiggghts::take(const std::vector<asperity::Wall *> &walls) {
   Multisphere &data = fix_->data();
   bodies_.step = update->ntimestep;
   bodies_.dt = update->dt;

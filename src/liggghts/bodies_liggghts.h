@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fix_multisphere.h"
-#include "dem/wall.h"
+#include "dem/step/bodies.h"
 
 namespace LAMMPS_NS {
 
@@ -25,10 +25,10 @@ public:
     return fix_->belongs_to(i) >= 0 || fix_->fix_delflag()->vector_atom[i] > 0;
   }
   /* The fix may send its bodies afterwards: take() lists them. */
-  void list(const std::vector<asperity::Stepper *> &, bool) override {
+  void list(const std::vector<asperity::Wall *> &, bool) override {
     is_reordered_ = true;
   }
-  asperity::Bodies *take(const std::vector<asperity::Stepper *> &walls) override;
+  asperity::Bodies *take(const std::vector<asperity::Wall *> &walls) override;
 
 private:
   void take_spheres();

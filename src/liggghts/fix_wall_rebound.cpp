@@ -307,7 +307,7 @@ void FixWallRebound::begin_step() {
   for (MeshOfLiggghts *mesh : meshes_) {
     mesh->begin_step(update->dt);
     if (mesh->set_images(box()))
-      wall.stepper.clear_ahead();
+      wall.clear_ahead();
   }
 }
 

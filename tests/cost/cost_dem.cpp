@@ -130,7 +130,7 @@ public:
 private:
   void fly(int steps) {
     Grains &g = of_.grains;
-    const std::vector<Stepper *> walls = g.steppers();
+    const std::vector<Wall *> walls = g.walls;
     for (int k = 0; k < steps; k++) {
       const double angle = rate_ * g.dt * static_cast<double>(++g.now);
       g.kick();
@@ -208,7 +208,7 @@ void count_body(const char *what, double turn) {
     rod.axes[d][d] = 1;
   rod.angular_momentum[2] = side * turn / DT;
   bodies.all.push_back(rod);
-  claim_bodies(none.steppers(), bodies, MPI_COMM_WORLD);
+  claim_bodies(none.walls, bodies, MPI_COMM_WORLD);
   count_begin();
   for (int k = 1; k <= steps; k++) {
     Body &body = bodies.all[0];
@@ -216,8 +216,8 @@ void count_body(const char *what, double turn) {
     turn_free(body.inertia, body.angular_momentum, DT, body.axes);
     body.is_changed = false;
     count_on();
-    step_walls(none.steppers(), none.spheres(), &bodies);
-    end_walls(none.steppers(), none.spheres(), &bodies);
+    step_walls(none.walls, none.spheres(), &bodies);
+    end_walls(none.walls, none.spheres(), &bodies);
     count_off();
     bodies.begins = false;
   }

@@ -173,7 +173,7 @@ void box(double diameters, int n, int steps) {
           BodySphere{{k - 0.5, 0, 0}, 0.5, 1, 1, 2 * i + k + 1};
     bodies.all.push_back(rod);
   }
-  claim_bodies(none.steppers(), bodies, MPI_COMM_WORLD);
+  claim_bodies(none.walls, bodies, MPI_COMM_WORLD);
   double spin = 0, count = 0, outside = 0, drift = 0;
   for (int step = 1; step <= steps; step++) {
     bodies.step = step;
@@ -181,8 +181,8 @@ void box(double diameters, int n, int steps) {
       advance(rod, dt);
       rod.is_changed = false;
     }
-    step_walls(none.steppers(), none.spheres(), &bodies);
-    end_walls(none.steppers(), none.spheres(), &bodies);
+    step_walls(none.walls, none.spheres(), &bodies);
+    end_walls(none.walls, none.spheres(), &bodies);
     bodies.begins = false;
     for (const Body &rod : bodies.all) {
       for (int k = 0; k < 3; k++)

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/wall.h"
+#include "dem/step/mover.h"
 
 namespace asperity {
 
@@ -133,19 +133,13 @@ struct Grains {
                    radius.data(),
                    mass.data()};
   }
-  std::vector<Stepper *> steppers() const {
-    std::vector<Stepper *> all;
-    for (Wall *wall : walls)
-      all.push_back(&wall->stepper);
-    return all;
-  }
   void begin(const std::vector<Wall *> &all) {
     walls = all;
     total = f;
     states.resize(walls.size());
     for (size_t w = 0; w < walls.size(); w++) {
       states[w].resize(tag.size() * Wall::N_STATE);
-      walls[w]->stepper.rows.grow(static_cast<int>(tag.size()));
+      walls[w]->rows.grow(static_cast<int>(tag.size()));
       walls[w]->init(now, dt);
       walls[w]->set_rows(states[w].data());
       walls[w]->begin_run(spheres(), 1, Box());
@@ -164,13 +158,13 @@ struct Grains {
     kick();
     for (size_t k = 0; k < x.size(); k++)
       x[k] += v[k] * dt;
-    step_walls(steppers(), spheres());
+    step_walls(walls, spheres());
   }
   void finish() {
     total = f;
     torque.assign(torque.size(), 0.);
     kick();
-    end_walls(steppers(), spheres());
+    end_walls(walls, spheres());
     for (Wall *wall : walls)
       wall->books.end_loads();
   }

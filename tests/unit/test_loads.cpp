@@ -95,7 +95,7 @@ public:
     set_forces();
     grains_.begin(walls_);
     bodies_.step = 1;
-    claim_bodies(grains_.steppers(), bodies_, MPI_COMM_WORLD);
+    claim_bodies(grains_.walls, bodies_, MPI_COMM_WORLD);
     measure(ahead_);
   }
 
@@ -118,12 +118,12 @@ public:
       body.is_changed = false;
     }
     total(-1, booked);
-    step_walls(grains_.steppers(), grains_.spheres(), &bodies_);
+    step_walls(grains_.walls, grains_.spheres(), &bodies_);
     set_forces();
     kick();
     const double scale = DT / (aspi_length(before) + DT * aspi_length(row_.at.force));
     worst[2] = std::max(worst[2], scale * columns_off()); /* a fix before the walls sees these */
-    end_walls(grains_.steppers(), grains_.spheres(), &bodies_);
+    end_walls(grains_.walls, grains_.spheres(), &bodies_);
     for (Wall *wall : walls_)
       wall->books.end_loads();
     worst[2] = std::max(worst[2], scale * columns_off());
@@ -224,9 +224,9 @@ private:
       wall->begin_run(grains_.spheres(), 1, Box());
     bodies_.begins = true;
     bodies_.step = grains_.now + 1;
-    claim_bodies(grains_.steppers(), bodies_, MPI_COMM_WORLD);
-    push_again(grains_.steppers(), grains_.spheres());
-    push_again(grains_.steppers(), bodies_);
+    claim_bodies(grains_.walls, bodies_, MPI_COMM_WORLD);
+    push_again(grains_.walls, grains_.spheres());
+    push_again(grains_.walls, bodies_);
     for (size_t k = 0; k < grains_.f.size() && row_.cut == BEHIND; k++)
       grains_.total[k] += grains_.f[k];
     if (row_.cut == REPLACED)

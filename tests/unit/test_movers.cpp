@@ -203,7 +203,7 @@ public:
     set_forces();
     grains_.begin({wall_.get()});
     bodies_.step = 1;
-    claim_bodies({&wall_->stepper}, bodies_, MPI_COMM_WORLD);
+    claim_bodies({wall_.get()}, bodies_, MPI_COMM_WORLD);
   }
 
   void step() {
@@ -224,10 +224,10 @@ public:
       turn(body);
       body.is_changed = false;
     }
-    step_walls(grains_.steppers(), grains_.spheres(), &bodies_);
+    step_walls(grains_.walls, grains_.spheres(), &bodies_);
     set_forces();
     kick();
-    end_walls(grains_.steppers(), grains_.spheres(), &bodies_);
+    end_walls(grains_.walls, grains_.spheres(), &bodies_);
     wall_->books.end_loads();
   }
 
@@ -242,10 +242,10 @@ public:
       if (mesh_)
         mesh_->motion() = mesh->motion();
       std::vector<double> packed(PACKED_MOST);
-      wall_->stepper.rows.grow(static_cast<int>(grains_.tag.size()));
+      wall_->rows.grow(static_cast<int>(grains_.tag.size()));
       for (size_t i = 0; i < grains_.tag.size(); i++) {
-        before->stepper.rows.pack(static_cast<int>(i), packed.data());
-        wall_->stepper.rows.unpack(static_cast<int>(i), packed.data());
+        before->rows.pack(static_cast<int>(i), packed.data());
+        wall_->rows.unpack(static_cast<int>(i), packed.data());
       }
       grains_.walls.assign(1, wall_.get());
       wall_->init(grains_.now, dt_);
@@ -254,9 +254,9 @@ public:
     wall_->begin_run(grains_.spheres(), 1, Box());
     bodies_.begins = true;
     bodies_.step = grains_.now + 1;
-    claim_bodies(grains_.steppers(), bodies_, MPI_COMM_WORLD);
-    push_again(grains_.steppers(), grains_.spheres());
-    push_again(grains_.steppers(), bodies_);
+    claim_bodies(grains_.walls, bodies_, MPI_COMM_WORLD);
+    push_again(grains_.walls, grains_.spheres());
+    push_again(grains_.walls, bodies_);
   }
 
   /* Impulse on the wall so far, and force in the last step. */
@@ -292,7 +292,7 @@ public:
   }
 
   double impacts(size_t i) const {
-    const Stepper &of = wall_->stepper;
+    const Wall &of = *wall_;
     return (kind_.is_body ? of.body_rows.state : of.rows.state)[i].impacts;
   }
 

@@ -62,7 +62,7 @@ struct Flyers {
     grains.begin(walls);
     bodies.begins = true;
     bodies.step = 1;
-    claim_bodies(grains.steppers(), bodies, MPI_COMM_WORLD);
+    claim_bodies(grains.walls, bodies, MPI_COMM_WORLD);
     push();
   }
   void push() {
@@ -88,12 +88,12 @@ struct Flyers {
       advance(body, grains.dt);
       body.is_changed = false;
     }
-    step_walls(grains.steppers(), grains.spheres(), &bodies);
+    step_walls(grains.walls, grains.spheres(), &bodies);
     grains.total = grains.f;
     grains.torque.assign(grains.torque.size(), 0.);
     push();
     kick();
-    end_walls(grains.steppers(), grains.spheres(), &bodies);
+    end_walls(grains.walls, grains.spheres(), &bodies);
     for (Wall *wall : grains.walls)
       wall->books.end_loads();
   }

@@ -131,7 +131,7 @@ TEST(groups_end_rests) {
   s.grains.fly(20);
   assert_true(s.grains.x[2] < 0.5 - 0.1);
   assert_true(near(s.force(), 0, 0));
-  assert_true(s.wall->stepper.rows.status(0) == Status::FREE);
+  assert_true(s.wall->rows.status(0) == Status::FREE);
 }
 
 /* A stuck grain that a command has moved is free; one that is where it was stays. */
@@ -145,10 +145,10 @@ TEST(commands_free_what_they_move) {
   s.grains.x[2] += 0.3;
   s.grains.put(0, {0, 0, 0.8}, {0.1, 0, 0});
   s.wall->begin_run(s.grains.spheres(), 1, Box());
-  s.wall->stepper.free_displaced(s.grains.spheres(), 0);
+  s.wall->free_displaced(s.grains.spheres(), 0);
   assert_non_null(strstr(s.engine.warned.c_str(), "moved from their place: 1"));
   s.grains.fly(10);
-  assert_true(s.wall->stuck() == 1 && s.wall->stepper.rows.is_stuck(1));
+  assert_true(s.wall->stuck() == 1 && s.wall->rows.is_stuck(1));
   assert_true(near(s.grains.x[0], 0.1, 1e-12) && near(s.grains.x[3], 3, 0));
 }
 
@@ -181,8 +181,8 @@ struct Rod {
   }
   void begin_run() {
     bodies.begins = true;
-    claim_bodies(none.steppers(), bodies, MPI_COMM_WORLD);
-    wall->stepper.free_displaced(bodies, 0);
+    claim_bodies(none.walls, bodies, MPI_COMM_WORLD);
+    wall->free_displaced(bodies, 0);
   }
   double count() const {
     return wall->books.counter(Books::N_IMPACTS);
@@ -195,8 +195,8 @@ struct Rod {
       spin_of(body(), omega);
       turn_by(omega, DT, body().axes);
       body().is_changed = false;
-      step_walls(none.steppers(), none.spheres(), &bodies);
-      end_walls(none.steppers(), none.spheres(), &bodies);
+      step_walls(none.walls, none.spheres(), &bodies);
+      end_walls(none.walls, none.spheres(), &bodies);
     }
   }
 };
@@ -247,10 +247,10 @@ TEST(what_sticks_rests_nowhere) {
   grains.f[2] = -10;
   grains.begin({floor.get(), side.get()});
   grains.fly(3);
-  assert_true(floor->stepper.rows.status(0) == Status::RESTING);
+  assert_true(floor->rows.status(0) == Status::RESTING);
   grains.fly(20);
-  assert_true(side->stepper.rows.is_stuck(0));
-  assert_true(floor->stepper.rows.status(0) == Status::FREE);
+  assert_true(side->rows.is_stuck(0));
+  assert_true(floor->rows.status(0) == Status::FREE);
 }
 
 /* A grain that a command has put deep into a wall is put onto it, and counted. */
@@ -281,7 +281,7 @@ TEST(removed_deposits_are_free) {
     s.grains.fly(1);
   s.grains.fly(20);
   assert_true(s.wall->stuck() == 0 && s.grains.x[2] > 2.5e-5);
-  assert_true(s.wall->stepper.rows.status(0) == Status::FREE);
+  assert_true(s.wall->rows.status(0) == Status::FREE);
 }
 
 /* A velocity that the engine has blown up ends the run. */

@@ -175,11 +175,11 @@ void valleys_get_what_grains_lose(void **) {
       grains.x[k] += grains.v[k] * grains.dt;
     }
     add_momenta(grains, about, 1, lost);
-    step_walls(grains.steppers(), grains.spheres());
+    step_walls(grains.walls, grains.spheres());
     grains.total = grains.f;
     grains.torque.assign(grains.torque.size(), 0.);
     kick_without_forces(grains, about, lost);
-    end_walls(grains.steppers(), grains.spheres());
+    end_walls(grains.walls, grains.spheres());
     s.wall->books.end_loads();
   }
   add_momenta(grains, about, -1, lost);

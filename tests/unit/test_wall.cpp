@@ -287,13 +287,13 @@ std::vector<double> times_of_removal(double dt) {
     const std::vector<std::vector<double>> states = grains.states;
     walls.push_back(make_wall(engine, ground(), IN_FLOW));
     grains.begin({walls.back().get()});
-    Memories &rows = walls[half]->stepper.rows;
+    Memories &rows = walls[half]->rows;
     if (half)
       std::copy(states[0].begin(), states[0].end(), grains.states[0].begin());
     for (int i = 0; i < GRAINS; i++) {
       grains.f[3 * i + 2] = -1e-3;
       if (half) {
-        walls[0]->stepper.rows.pack(i, packed);
+        walls[0]->rows.pack(i, packed);
         rows.unpack(i, packed);
         continue;
       }
@@ -303,7 +303,7 @@ std::vector<double> times_of_removal(double dt) {
       rows.stuck(i).sphere = i + 1;
       rows.stuck(i).at[2] = grains.x[3 * i + 2] = d / 2;
     }
-    walls[half]->stepper.reorder(grains.spheres());
+    walls[half]->reorder(grains.spheres());
     for (int step = 0; step < lround(0.5 / dt); step++) {
       grains.fly(1);
       for (int i = 0; i < GRAINS; i++) {
@@ -330,14 +330,14 @@ double time_of_body(int tag, double dt) {
   bodies.spheres = {BodySphere{{0, 0, 0}, 9 * d, 1, 1, 1}, BodySphere{{1, 0, 0}, d / 2, 1, 1, tag}};
   Grains grains(1, d / 2, dt);
   grains.begin({wall.get()});
-  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
-  wall->stepper.body_rows.set_status(0, Status::STUCK);
-  wall->stepper.body_rows.stuck(0).shape = 1;
-  wall->stepper.body_rows.stuck(0).sphere = tag;
-  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+  claim_bodies({wall.get()}, bodies, MPI_COMM_WORLD);
+  wall->body_rows.set_status(0, Status::STUCK);
+  wall->body_rows.stuck(0).shape = 1;
+  wall->body_rows.stuck(0).sphere = tag;
+  claim_bodies({wall.get()}, bodies, MPI_COMM_WORLD);
   double time = 0;
-  for (; wall->stepper.body_rows.is_stuck(0) && time < 2; time += dt)
-    wall->stepper.let_go(bodies);
+  for (; wall->body_rows.is_stuck(0) && time < 2; time += dt)
+    wall->let_go(bodies);
   return time;
 }
 
@@ -370,17 +370,17 @@ void bodies_of_no_wall_stay(void **) {
   bodies.all.push_back(body);
   bodies.spheres = {BodySphere{{0.5, 0, 0}, 0.1, 1, 1, 1}};
   bodies.begins = false;
-  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
-  wall->stepper.body_rows.set_status(0, Status::STUCK);
-  Stuck &at = wall->stepper.body_rows.stuck(0);
+  claim_bodies({wall.get()}, bodies, MPI_COMM_WORLD);
+  wall->body_rows.set_status(0, Status::STUCK);
+  Stuck &at = wall->body_rows.stuck(0);
   at = Stuck();
   at.sphere = 1;
   bodies.begins = true;
-  claim_bodies({&wall->stepper}, bodies, MPI_COMM_WORLD);
+  claim_bodies({wall.get()}, bodies, MPI_COMM_WORLD);
   const double held[3] = {0, 0.5, 3};
   assert_memory_equal(at.at, held, sizeof held);
   bodies.all[0].x[2] -= 0.1;
-  wall->stepper.carry_stuck(bodies);
+  wall->carry_stuck(bodies);
   assert_float_equal(bodies.all[0].x[2], 3, 1e-15);
   assert_memory_equal(bodies.all[0].axes, body.axes, sizeof body.axes);
 }

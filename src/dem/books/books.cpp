@@ -22,8 +22,8 @@ const char *const Books::SUM_NAMES[] = {"impacts",        "deposited_mass",     
 /* Triangles per MPI_Allreduce. */
 static const size_t SHOWN = 32768;
 
-Books::Books(const Setup &setup)
-    : setup_(setup), rows_(NULL), is_in_step_(false), counters_(), kept_(), step_(),
+Books::Books(const Setup &setup, Memories &rows)
+    : setup_(setup), rows_(rows), is_in_step_(false), counters_(), kept_(), step_(),
       torque_about_() {}
 
 void Books::add_shape() {
@@ -112,8 +112,8 @@ void Books::reorder(int n) {
   waiting_.clear();
   kept_ = Impulses();
   for (int i = 0; i < n; i++) {
-    const Memory *of = rows_->find(i);
-    if (aspi_dot(rows_->state[i].force, rows_->state[i].force) > 0)
+    const Memory *of = rows_.find(i);
+    if (aspi_dot(rows_.state[i].force, rows_.state[i].force) > 0)
       loaded_.push_back(i);
     if (of && of->load.waits > 0)
       waiting_.push_back(i);
@@ -131,14 +131,14 @@ void Books::begin_end() {
   expire();
   is_in_step_ = false;
   for (int i : loaded_)
-    if (!(rows_->is_stuck(i) && rows_->stuck(i).is_kept > 0))
+    if (!(rows_.is_stuck(i) && rows_.stuck(i).is_kept > 0))
       for (int d = 0; d < 3; d++)
-        rows_->state[i].force[d] = rows_->state[i].point[d] = 0;
+        rows_.state[i].force[d] = rows_.state[i].point[d] = 0;
   loaded_.clear();
   for (int i : waiting_) {
-    Memory &of = rows_->own(i);
-    aspi_copy(of.load.force, rows_->state[i].force);
-    aspi_copy(of.load.point, rows_->state[i].point);
+    Memory &of = rows_.own(i);
+    aspi_copy(of.load.force, rows_.state[i].force);
+    aspi_copy(of.load.point, rows_.state[i].point);
     of.load = Load();
   }
   loaded_.swap(waiting_);
@@ -213,7 +213,7 @@ void Books::keep_load(int i, const double x[3], const double v[3], double mass) 
 void Books::drop_load(int i, const double x[3], const double v[3], double mass, double share) {
   const double p[3] = {mass * v[0], mass * v[1], mass * v[2]};
   const Impulses its = impulses_at(x, p);
-  MoverState &of = rows_->state[i];
+  MoverState &of = rows_.state[i];
   aspi_add_scaled(kept_.p, -1, its.p, kept_.p);
   aspi_add_scaled(kept_.turn, -1, its.turn, kept_.turn);
   if (share > 0)
@@ -222,9 +222,9 @@ void Books::drop_load(int i, const double x[3], const double v[3], double mass, 
 }
 
 void Books::add_force(int i, const double p[3], const double point[3]) {
-  double *force = rows_->state[i].force, *at = rows_->state[i].point;
+  double *force = rows_.state[i].force, *at = rows_.state[i].point;
   if (is_in_step_) {
-    Load &load = rows_->own(i).load;
+    Load &load = rows_.own(i).load;
     if (!(load.waits > 0))
       waiting_.push_back(i);
     load.waits = 1;

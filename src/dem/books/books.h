@@ -19,11 +19,11 @@
 
 namespace asperity {
 
-struct Stepper;
+struct Wall;
 
 /* An impact that is to be counted. */
 struct Impact {
-  Stepper *wall;
+  Wall *wall;
   size_t shape;
   Contact contact;
   double v1[3];     /* relative to the wall */
@@ -74,7 +74,8 @@ public:
   static const char *const SUM_NAMES[N_SUMS];
   enum Total { SHAPE_DEPOSITS = 1, N_TOTALS = N_SUMS + 1 };
 
-  explicit Books(const Setup &setup);
+  /* rows: what this rank's particles remember. */
+  Books(const Setup &setup, Memories &rows);
 
   /* A shape of the setup, after it was added there. */
   void add_shape();
@@ -87,10 +88,7 @@ public:
   void init();
   void begin_run();
 
-  /* What this rank's particles remember; and after they have changed places, how many there are. */
-  void set_rows(Memories *rows) {
-    rows_ = rows;
-  }
+  /* After particles have changed places: how many there are. */
   void reorder(int n);
 
   /* Until end_loads(), FORCE and TORQUE are those of the step before; until begin_end(), the forces
@@ -112,7 +110,7 @@ public:
   void keep_load(int i, const double x[3], const double v[3], double mass);
   void drop_load(int i, const double x[3], const double v[3], double mass, double share);
   void show_kept(int i) {
-    aspi_scale(2, rows_->state[i].force);
+    aspi_scale(2, rows_.state[i].force);
   }
   void add_kept_loads() {
     add_impulses(kept_);
@@ -173,7 +171,7 @@ private:
   void add_impulses(const Impulses &all);
 
   const Setup &setup_;
-  Memories *rows_;
+  Memories &rows_;
   bool is_in_step_;                   /* between begin_step() and begin_end() */
   std::vector<int> loaded_, waiting_; /* particles with a force; and with one of this step */
   std::vector<ShapeSums> shapes_;

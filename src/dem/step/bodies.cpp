@@ -40,7 +40,7 @@ Spheres Bodies::bounds() {
 
 /* Bodies are as the engine has them: it may have chosen other axes, and a body that is stuck to a
  * shape that is gone stays where it is. */
-static void begin_run(Stepper &wall, Bodies &bodies) {
+static void begin_run(Wall &wall, Bodies &bodies) {
   wall.bodies.begin_run(wall.setup, bodies.bounds());
   for (size_t b = 0; b < bodies.all.size(); b++) {
     const Mover mover(bodies, static_cast<int>(b));
@@ -56,7 +56,7 @@ static void begin_run(Stepper &wall, Bodies &bodies) {
   }
 }
 
-void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm world) {
+void asperity::claim_bodies(const std::vector<Wall *> &walls, Bodies &bodies, MPI_Comm world) {
   std::vector<int64_t> tags;
   for (Body &body : bodies.all) {
     body.reach = body.mask = 0;
@@ -67,7 +67,7 @@ void asperity::claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies,
     }
     tags.push_back(body.tag);
   }
-  for (Stepper *wall : walls) {
+  for (Wall *wall : walls) {
     wall->body_rows.claim(tags, world);
     if (bodies.begins)
       begin_run(*wall, bodies);
@@ -216,7 +216,7 @@ void BodyRows::reset(const Spheres &spheres, size_t walls) {
   shown_.assign(walls, std::vector<MoverState>());
 }
 
-void BodyRows::show(const std::vector<Stepper *> &walls, const Bodies &bodies, MPI_Comm world) {
+void BodyRows::show(const std::vector<Wall *> &walls, const Bodies &bodies, MPI_Comm world) {
   std::vector<double> mine; /* number of the wall, tag of a sphere, impacts, state */
   for (size_t w = 0; w < walls.size(); w++) {
     std::vector<MoverState> &shown = shown_[w];

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "dem/step/stepper.h"
+#include "dem/wall.h"
 
 namespace asperity {
 
@@ -77,7 +77,7 @@ public:
   /* After particles or bodies have moved between ranks. */
   void reset(const Spheres &spheres, size_t walls);
   /* Collective. */
-  void show(const std::vector<Stepper *> &walls, const Bodies &bodies, MPI_Comm world);
+  void show(const std::vector<Wall *> &walls, const Bodies &bodies, MPI_Comm world);
 
 private:
   std::unordered_map<int64_t, int> place_; /* of the particles of this rank, by tag */
@@ -93,10 +93,10 @@ public:
   /* True for a particle of a body: it meets no wall alone. */
   virtual bool has(int i) const = 0;
   /* At the beginning of a run, and after particles have moved between ranks. Collective. */
-  virtual void list(const std::vector<Stepper *> &walls, bool begins) = 0;
+  virtual void list(const std::vector<Wall *> &walls, bool begins) = 0;
   /* Those of this rank after the first half of a step, or at its end. Collective. Throws an Error.
    */
-  virtual Bodies *take(const std::vector<Stepper *> &walls) = 0;
+  virtual Bodies *take(const std::vector<Wall *> &walls) = 0;
   /* Gives back those that have changed, with their particles; at the end of a step only velocities
    * and forces change. Collective. */
   void put(bool is_end, MPI_Comm world);
@@ -125,7 +125,7 @@ private:
 
 /* After bodies have moved between ranks, or have got other numbers, and at the beginning of a run:
  * their memories of the walls come along. Collective. */
-void claim_bodies(const std::vector<Stepper *> &walls, Bodies &bodies, MPI_Comm world);
+void claim_bodies(const std::vector<Wall *> &walls, Bodies &bodies, MPI_Comm world);
 
 } // namespace asperity
 

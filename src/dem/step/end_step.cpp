@@ -20,7 +20,7 @@ using namespace asperity;
 
 namespace {
 
-typedef std::vector<Stepper *> Walls;
+typedef std::vector<Wall *> Walls;
 
 /* The most impacts in one step whose forces are looked at; of more, each is a small share of it. */
 const size_t NOTED_MOST = 32;
@@ -38,7 +38,7 @@ struct AtEnd : Instant {
 
 /* A wall that holds a mover, and what the mover remembers of it. */
 struct Hold {
-  Stepper *wall;
+  Wall *wall;
   Memory *memory;
 };
 
@@ -230,7 +230,7 @@ void asperity::note_energy(const Flight &flight) {
   if (flight.impacts.size() > NOTED_MOST)
     return;
   for (const Impact &impact : flight.impacts) {
-    Stepper *wall = impact.wall;
+    Wall *wall = impact.wall;
     const WallMemory of = mover.at(*wall);
     const double *n = impact.contact.n;
     bool others = of.status() == Status::RESTING || changes_along(n, flight.settled);
@@ -269,7 +269,7 @@ void asperity::note_energy(const Flight &flight) {
 /* The end of a step with a rebound: the normal velocity by its energy, where a acts. Without it,
  * particles that touch each other at a wall would gain or lose energy at each rebound, in steps
  * that resolve their contact well. */
-static void balance(Stepper &wall, const Movers &movers, int i) {
+static void balance(Wall &wall, const Movers &movers, int i) {
   const Mover mover(movers, i);
   const Rebound &rebound = mover.at(wall).own().rebound[0];
   const double *n = rebound.normal;
@@ -311,7 +311,7 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
   std::vector<Hold> by;
   size_t most = 0;
   bool any_stuck = false;
-  for (Stepper *wall : walls) {
+  for (Wall *wall : walls) {
     most += movers.members(*wall).resting.size();
     any_stuck = any_stuck || !movers.members(*wall).stuck.empty();
   }
@@ -332,7 +332,7 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
     const int i = at->i;
     by.clear();
     do {
-      Stepper *wall = walls[static_cast<size_t>(at->wall)];
+      Wall *wall = walls[static_cast<size_t>(at->wall)];
       by.push_back(Hold{wall, movers.members(*wall).rows.find(i)});
     } while (++at < end && at->i == i);
     act(by, i);
@@ -341,7 +341,7 @@ template <class Act> static void for_resting(const Walls &walls, const Movers &m
 
 static void end_movers(const Walls &walls, const Movers &movers) {
   Resting resting;
-  for (Stepper *wall : walls) {
+  for (Wall *wall : walls) {
     const Population &of = movers.members(*wall);
     wall->hold_stuck(movers);
     for (int i : of.rebounded)
@@ -441,7 +441,7 @@ void asperity::check_ahead(const Walls &walls, const Movers &movers) {
 void asperity::end_walls(const Walls &walls, Spheres spheres, Bodies *bodies) {
   if (!(spheres.dt > 0)) /* what rests is held as in the last step that had a length */
     spheres.dt = walls[0]->dt_ahead;
-  for (Stepper *wall : walls) {
+  for (Wall *wall : walls) {
     wall->books.begin_end();
     wall->dt_ahead = spheres.dt;
   }

@@ -29,8 +29,7 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
 
 } // namespace
 
-Flight::Flight(Mover &m, const Movers &movers, const Instant &now,
-               const std::vector<Stepper *> &walls)
+Flight::Flight(Mover &m, const Movers &movers, const Instant &now, const std::vector<Wall *> &walls)
     : mover(m), dt(movers.dt), step(movers.step), is_held(true), is_pushed(false), is_led(true),
       squeezed(false), searches_all(m.body), is_apart(false), way(0), series_begin(0),
       walls_(walls) {
@@ -46,7 +45,7 @@ Flight::Flight(Mover &m, const Movers &movers, const Instant &now,
   aspi_copy(acceleration, a0);
   aspi_copy(acceleration, free);
   double push = 0;
-  for (Stepper *wall : walls)
+  for (Wall *wall : walls)
     for (const Rest &rest : mover.at(*wall).rests()) {
       aspi_add_scaled(free, -1, rest.push, free);
       push = std::max(push, aspi_dot(rest.push, rest.push));

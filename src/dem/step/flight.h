@@ -57,8 +57,7 @@ struct Flight {
   double series_spin[3];
 
   /* A mover as the engine has moved it, at the walls of the run. */
-  Flight(Mover &mover, const Movers &movers, const Instant &now,
-         const std::vector<Stepper *> &walls);
+  Flight(Mover &mover, const Movers &movers, const Instant &now, const std::vector<Wall *> &walls);
 
   double elapsed() const {
     return dt - path.left;
@@ -102,7 +101,7 @@ private:
   void list_rests(std::vector<Held> &rests) const;
   void share(const double change[3], const double turned[3]);
 
-  const std::vector<Stepper *> &walls_;
+  const std::vector<Wall *> &walls_;
 };
 
 /* Counts the load of a solved contact of a mover at x. */
@@ -115,21 +114,21 @@ inline void add_load(const Mover &mover, const double x[3], const Held &held) {
 
 /* The contact at which a sphere of a mover at x rests, with this velocity and spin; false: it is
  * there no more. off: how far the sphere is in the wall. */
-bool find_rest(const Mover &mover, Stepper &wall, Rest &rest, const double x[3], const double v[3],
+bool find_rest(const Mover &mover, Wall &wall, Rest &rest, const double x[3], const double v[3],
                const double spin[3], double dt, Held &at, double &off);
 
 /* search.cpp: the first contacts of the rest of the path. Where a body turns so far that its
  * spheres may be off straight paths, they are searched by wider spheres, and where those meet a
  * wall in shorter stretches. False: there are none, and the flight is in the last stretch of its
  * path. */
-bool find_next(const std::vector<Stepper *> &walls, Flight &flight, std::vector<Touch> &touches);
+bool find_next(const std::vector<Wall *> &walls, Flight &flight, std::vector<Touch> &touches);
 
 /* A contact, and the face of the rough wall there. */
 struct ContactPoint {
   const Mover &mover;
   const Moment &now;
   Touch &touch;
-  Stepper &wall;
+  Wall &wall;
   const BodySphere &one;
   const WallMemory memory;
   double arm[3];         /* to the touching sphere */
@@ -171,7 +170,7 @@ private:
 void freeze(const Touch &touch, const Mover &mover, const Movers &movers, const double x[3],
             const double v[3], const double spin[3], double left);
 /* It rests at no other wall any more. */
-void leave_rests(const std::vector<Stepper *> &walls, const Mover &mover);
+void leave_rests(const std::vector<Wall *> &walls, const Mover &mover);
 
 /* end_step.cpp: notes the energy of the rebounds of a ball on its way, for the end of the step. */
 void note_energy(const Flight &flight);

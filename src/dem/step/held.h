@@ -32,7 +32,7 @@ namespace asperity {
 
 /* A contact of one of the mover's spheres with a wall. */
 struct Touch : Contact {
-  Stepper *wall;
+  Wall *wall;
   size_t shape, sphere;
   Path before; /* of the sphere, by which the contact was found */
 };

@@ -7,7 +7,7 @@
 
 #include "contact/vector.h"
 #include "dem/step/bodies.h"
-#include "dem/step/stepper.h"
+#include "dem/wall.h"
 
 namespace asperity {
 
@@ -85,11 +85,11 @@ public:
   Movers(const Spheres &of) : grains(&of), bodies(NULL), step(of.step), dt(of.dt) {}
   Movers(Bodies &of) : grains(NULL), bodies(&of), step(of.step), dt(of.dt) {}
 
-  Population &members(Stepper &wall) const {
+  Population &members(Wall &wall) const {
     return bodies ? wall.bodies : wall.grains;
   }
-  bool is_stuck(const std::vector<Stepper *> &walls, int i) const {
-    for (Stepper *wall : walls) {
+  bool is_stuck(const std::vector<Wall *> &walls, int i) const {
+    for (Wall *wall : walls) {
       const Population &of = members(*wall);
       if (!of.stuck.empty() && of.rows.is_stuck(i))
         return true;
@@ -130,10 +130,10 @@ public:
   double axes[3][3]; /* now; unit vectors */
   double inverse[6]; /* mass times inverse inertia, now, of a body: xx, yy, zz, xy, xz, yz */
 
-  Population &members(Stepper &wall) const {
+  Population &members(Wall &wall) const {
     return body ? wall.bodies : wall.grains;
   }
-  WallMemory at(Stepper &wall) const {
+  WallMemory at(Wall &wall) const {
     return WallMemory(members(wall).rows, i, count);
   }
 

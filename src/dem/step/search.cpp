@@ -11,7 +11,7 @@ using namespace asperity;
 
 namespace {
 
-typedef std::vector<Stepper *> Walls;
+typedef std::vector<Wall *> Walls;
 
 /* The path of a sphere of a body is straight if it is off by less than this share of the radius. */
 const double STRAIGHT = 2e-6;
@@ -28,7 +28,7 @@ static bool find_first(const Walls &walls, const Flight &flight, size_t sphere, 
   touch.wall = NULL;
   touch.sphere = sphere;
   touch.before = flight.path_of(sphere);
-  for (Stepper *wall : walls) {
+  for (Wall *wall : walls) {
     if (!(one.mask & wall->setup.groupbit) ||
         (!flight.searches_all && !wall->grains.ahead.is_near(flight.mover.i)))
       continue;
@@ -83,7 +83,7 @@ static double time_clear(const Walls &walls, const Flight &flight) {
   aspi_copy(flight.path.x, course.x);
   aspi_copy(flight.path.v, course.v);
   aspi_scale(flight.dt, course.v);
-  for (const Stepper *wall : walls)
+  for (const Wall *wall : walls)
     for (const Member &member : wall->setup.shapes) {
       course.reach = (1 + ROUNDING) * body.reach + member.shape->travel(flight.dt);
       course.most = member.shape->clear(course, FaceList());

@@ -54,7 +54,7 @@ double overlap(const Touch &touch) {
   return aspi_dot(moved, touch.n);
 }
 
-typedef std::vector<Stepper *> Walls;
+typedef std::vector<Wall *> Walls;
 
 } // namespace
 
@@ -63,7 +63,7 @@ static void search_all(const Walls &walls, Flight &flight) {
   if (flight.searches_all)
     return;
   flight.searches_all = true;
-  for (Stepper *wall : walls)
+  for (Wall *wall : walls)
     flight.mover.members(*wall).ahead.expire(flight.mover.i);
 }
 
@@ -357,7 +357,7 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
   bool stands = mover.is_ball; /* a body on walls that move takes the path that was searched */
   if (!stands)
     stands =
-        std::all_of(walls.begin(), walls.end(), [](const Stepper *wall) { return wall->is_still; });
+        std::all_of(walls.begin(), walls.end(), [](const Wall *wall) { return wall->is_still; });
   if (only_slid && (stands || all == 0) && series < 2 * series_most)
     return false;
   const bool in_row = series == 2 * series_most;
@@ -417,7 +417,7 @@ static void pass_stuck(const Walls &near, const Movers &movers, int i) {
   const Mover mover(movers, i);
   Instant now;
   movers.read(mover, now);
-  for (Stepper *wall : near) {
+  for (Wall *wall : near) {
     if (wall->is_still || movers.members(*wall).rows.is_stuck(i))
       continue;
     for (const Member &member : wall->setup.shapes)
@@ -469,13 +469,13 @@ static void step_movers(const Walls &walls, const Movers &movers) {
 }
 
 void asperity::step_walls(const Walls &walls, const Spheres &spheres, Bodies *bodies) {
-  for (Stepper *wall : walls)
+  for (Wall *wall : walls)
     wall->books.begin_step(spheres.step);
   step_movers(walls, spheres);
   if (bodies) {
     step_movers(walls, *bodies);
     bodies->begins = false;
   }
-  for (Stepper *wall : walls)
+  for (Wall *wall : walls)
     wall->begins = false;
 }

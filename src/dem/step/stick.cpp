@@ -18,7 +18,7 @@ using namespace asperity;
 
 /* Where the wall has the center of the sphere that sticks, after what is left of the step: the
  * periodic image that is nearest to `near`. */
-static void follow(const Stepper &wall, Stuck &at, const double near[3], double radius, double left,
+static void follow(const Wall &wall, Stuck &at, const double near[3], double radius, double left,
                    double dt, bool is_body, double x[3]) {
   if (at.shape >= 1) {
     const Shape &shape = *wall.setup.shapes[static_cast<size_t>(at.shape) - 1].shape;
@@ -37,7 +37,7 @@ static void follow(const Stepper &wall, Stuck &at, const double near[3], double 
 }
 
 static Stuck &note(const Touch &touch, const Mover &mover) {
-  Stepper &wall = *touch.wall;
+  Wall &wall = *touch.wall;
   Population &of = mover.members(wall);
   Place place;
   wall.setup.shapes[touch.shape].shape->stick(touch.before, touch, place);
@@ -61,7 +61,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
 
 /* Gives a stuck mover, which is shifted in its place, the velocity of its wall, with the load that
  * holds it. */
-static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers, const Mover &mover,
+static void hold_one(Wall &wall, const Stuck &at, const Movers &movers, const Mover &mover,
                      const double shift[3]) {
   Instant now;
   double change[3], turn[3], center[3], swing[3];
@@ -84,7 +84,7 @@ static void hold_one(const Stepper &wall, const Stuck &at, const Movers &movers,
 }
 
 /* Puts a stuck mover where its wall has it at the end of the step. */
-static void carry(Stepper &wall, const Movers &movers, int i, double left) {
+static void carry(Wall &wall, const Movers &movers, int i, double left) {
   Stuck &at = movers.members(wall).rows.stuck(i);
   Mover mover(movers, i);
   Instant now;
@@ -116,8 +116,8 @@ void asperity::freeze(const Touch &touch, const Mover &mover, const Movers &move
   carry(*touch.wall, movers, mover.i, left);
 }
 
-void asperity::leave_rests(const std::vector<Stepper *> &walls, const Mover &mover) {
-  for (Stepper *wall : walls) {
+void asperity::leave_rests(const std::vector<Wall *> &walls, const Mover &mover) {
+  for (Wall *wall : walls) {
     if (mover.at(*wall).status() != Status::RESTING)
       continue;
     mover.at(*wall).set_status(Status::FREE);
@@ -125,7 +125,7 @@ void asperity::leave_rests(const std::vector<Stepper *> &walls, const Mover &mov
   }
 }
 
-void Stepper::free_displaced(const Movers &movers, double moved) {
+void Wall::free_displaced(const Movers &movers, double moved) {
   Population &of = movers.members(*this);
   int mine = 0, all;
   for (const StuckOne &one : of.stuck) {
@@ -173,7 +173,7 @@ static inline bool comes_again(const StuckOne &at, const Spheres &s) {
 }
 
 /* Ends the load of a particle after this share of a step. */
-void Stepper::drop_load(StuckOne &at, double share) {
+void Wall::drop_load(StuckOne &at, double share) {
   if (at.is_kept) {
     books.drop_load(at.i, at.x, at.v, at.mass, at.is_shown ? share : 1);
     rows.stuck(at.i).is_kept = 0;
@@ -183,7 +183,7 @@ void Stepper::drop_load(StuckOne &at, double share) {
 
 /* If a stuck particle has the same velocity and mass as in the last step, its load is unchanged:
  * the books keep it, and only x and v are reset. */
-void Stepper::carry_stuck(const Movers &movers) {
+void Wall::carry_stuck(const Movers &movers) {
   is_still = true;
   for (const Member &member : setup.shapes)
     is_still = is_still && member.shape->is_still() && !member.shape->measures();
@@ -206,7 +206,7 @@ void Stepper::carry_stuck(const Movers &movers) {
     books.add_kept_loads();
 }
 
-void Stepper::hold_stuck(const Movers &movers) {
+void Wall::hold_stuck(const Movers &movers) {
   Population &of = movers.members(*this);
   for (StuckOne &at : of.stuck) {
     const Spheres *s = movers.grains;
@@ -254,7 +254,7 @@ static int face_now(const Member &member, const Stuck &at) {
 
 /* A deposit that the flow takes away rests at the wall, and does not stick again before it has left
  * it. */
-void Stepper::let_go(const Movers &movers) {
+void Wall::let_go(const Movers &movers) {
   Population &of = movers.members(*this);
   if (of.stuck.empty() || !setup.model.has_flow())
     return;

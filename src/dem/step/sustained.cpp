@@ -16,7 +16,7 @@ const double TURNED = 0.01;
 
 } // namespace
 
-bool asperity::find_rest(const Mover &mover, Stepper &wall, Rest &rest, const double x[3],
+bool asperity::find_rest(const Mover &mover, Wall &wall, Rest &rest, const double x[3],
                          const double v[3], const double spin[3], double dt, Held &at,
                          double &off) {
   double u[3], distance;
@@ -213,7 +213,7 @@ void Flight::settle() {
 
 /* The walls at which it rests, with the impulses that the books have of them ahead. */
 void Flight::list_rests(std::vector<Held> &rests) const {
-  for (Stepper *wall : walls_)
+  for (Wall *wall : walls_)
     for (Rest &rest : mover.at(*wall).rests()) {
       Held at;
       double off;
