@@ -31,8 +31,7 @@ Model::Model(const Engine &engine)
       wall_(NULL, asp_wall_free), default_friction_(ASP_FRICTION), types_(1), least_(0), most_(0),
       temperature_(0), dissipates_(true), is_new_(true) {}
 
-/* ---- words of the script ----------------------------------------------------------------------
- */
+/* ---- words of the script ---- */
 
 bool Model::is_given(const char *keyword) const {
   return asp_description_is_given(description_.get(), keyword);
@@ -149,8 +148,7 @@ void Model::read_measured() {
     throw_error(wrong);
 }
 
-/* ---- set-up -----------------------------------------------------------------------------------
- */
+/* ---- set-up ---- */
 
 void Model::make() {
   asp_error wrong;

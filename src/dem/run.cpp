@@ -29,8 +29,7 @@ Bodies *Run::take_bodies() {
   return bodies().any() ? bodies().take(all_walls()) : NULL;
 }
 
-/* ---- a run ------------------------------------------------------------------------------------
- */
+/* ---- a run ---- */
 
 void Run::list_bodies(bool begins) {
   if (!leads())
@@ -153,8 +152,7 @@ bool Run::is_deleted(int i) {
   return wall.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i));
 }
 
-/* ---- restart, and what is lost ----------------------------------------------------------------
- */
+/* ---- restart, and what is lost ---- */
 
 void Run::write_record(FILE *file) {
   std::vector<char> record;

@@ -57,8 +57,7 @@ std::string asperity::quantity_of_time(double value, const std::string &name) {
   return text("%g", value) + unit;
 }
 
-/* ---- the words of a command -------------------------------------------------------------------
- */
+/* ---- the words of a command ---- */
 
 bool Words::is_one_of(const std::string &list) const {
   return !done() && (" " + list + " ").find(" " + words_[next_] + " ") != std::string::npos;

@@ -15,8 +15,7 @@ using namespace asperity;
 
 const char Wall::KEYWORDS[] = "ledger torque_about interlock temperature_of ";
 
-/* ---- the command ------------------------------------------------------------------------------
- */
+/* ---- the command ---- */
 
 /* A shape with another kind of lay than the description. */
 static void check_lay(const Setup &setup) {
@@ -86,8 +85,7 @@ void Wall::parse(Words &words, const std::string &geometry, const std::string &o
   check_lay(setup);
 }
 
-/* ---- a run ------------------------------------------------------------------------------------
- */
+/* ---- a run ---- */
 
 void Wall::init(int64_t step, double dt) {
   setup.model.prepare(wall_types(setup));
@@ -247,8 +245,7 @@ double Wall::bytes() const {
   return static_cast<double>(all);
 }
 
-/* ---- restart ----------------------------------------------------------------------------------
- */
+/* ---- restart ---- */
 
 std::vector<char> Wall::save() {
   WallState state = WallState();

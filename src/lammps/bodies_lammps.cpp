@@ -142,8 +142,7 @@ Fix *BodiesOfLammps::fix_of(int i) const {
   return NULL;
 }
 
-/* ---- listing ----------------------------------------------------------------------------------
- */
+/* ---- listing ---- */
 
 void BodiesOfLammps::list(const std::vector<asperity::Wall *> &walls, bool begins) {
   std::map<double, size_t> numbers; /* by the tags of their owners */
@@ -216,8 +215,7 @@ double BodiesOfLammps::name_at(int i) const {
   return fix ? static_cast<double>(of(fix, &Small::bodytag)[i]) : 0;
 }
 
-/* ---- a step -----------------------------------------------------------------------------------
- */
+/* ---- a step ---- */
 
 void BodiesOfLammps::read() {
   bodies_.step = lammps_->update->ntimestep;

@@ -69,8 +69,7 @@ bool Placing::take(Words &next) {
   return true;
 }
 
-/* ---- motions ----------------------------------------------------------------------------------
- */
+/* ---- motions ---- */
 
 void Drive::parse(Words &words, std::string &geometry) {
   const std::string name = words.word("the value of 'move'");
@@ -131,8 +130,7 @@ void Drive::move(double time, Frame &frame, Twist &twist) const {
   aspi_add_scaled(twist.linear, kind_ == LINEAR ? 1 : rate * cos(phase), a_, twist.linear);
 }
 
-/* ---- the mesh ---------------------------------------------------------------------------------
- */
+/* ---- the mesh ---- */
 
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, const Placing &placing,
                        const Drive &drive)

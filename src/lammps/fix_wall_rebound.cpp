@@ -90,8 +90,7 @@ struct FixWallRebound::Parts : asperity::WallFix<EngineOfLammps> {
   void follow_step(bigint last);
 };
 
-/* ---- making -----------------------------------------------------------------------------------
- */
+/* ---- making ---- */
 
 FixWallRebound::FixWallRebound(LAMMPS *lammps, int narg, char **arg)
     : WallHooks(lammps, narg, arg), p_(new Parts(lammps, this)) {
@@ -204,8 +203,7 @@ int FixWallRebound::setmask() {
   return POST_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP | POST_RUN;
 }
 
-/* ---- a run ------------------------------------------------------------------------------------
- */
+/* ---- a run ---- */
 
 void FixWallRebound::Parts::prepare() {
   const Update *update = program_->update;
@@ -288,8 +286,7 @@ void FixWallRebound::post_run() {
   WallHooks::post_run();
 }
 
-/* ---- output and restart -----------------------------------------------------------------------
- */
+/* ---- output and restart ---- */
 
 /* A data file is read before the wall is there, so that nothing of the wall can be in it. LAMMPS
  * calls rank 0 only. */

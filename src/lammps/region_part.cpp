@@ -226,8 +226,7 @@ void RegionPart::set_share(double share) const {
     frame_ = motion_.frame_at(share);
 }
 
-/* ---- faces ------------------------------------------------------------------------------------
- */
+/* ---- faces ---- */
 
 bool RegionPart::has(const double x[3]) const {
   double at[3];

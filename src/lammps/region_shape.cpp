@@ -69,8 +69,7 @@ auto region_of(D *domain, const std::string &id, long) ->
 
 } // namespace
 
-/* ---- what it is made of -----------------------------------------------------------------------
- */
+/* ---- what it is made of ---- */
 
 RegionShape::RegionShape(LAMMPS *lammps, const std::string &id)
     : lammps_(lammps), id_(id), open_(false), flat_(true), speed_(0) {
@@ -136,8 +135,7 @@ void RegionShape::init() {
   restore_motion(record);
 }
 
-/* ---- how it moves -----------------------------------------------------------------------------
- */
+/* ---- how it moves ---- */
 
 /* A region's box may be endless; that of the simulation is not. */
 static void simulation_box(const Domain *domain, double box[2][3]) {
@@ -212,8 +210,7 @@ void RegionShape::restore_motion(const std::vector<double> &record) {
     }
 }
 
-/* ---- faces near a point -----------------------------------------------------------------------
- */
+/* ---- faces near a point ---- */
 
 /* True if a point is in the room of a region, or, with `flip`, of all that is not in it. */
 bool RegionShape::in_room(const Node &node, bool flip, const double x[3]) const {
@@ -254,8 +251,7 @@ void RegionShape::find_feet(const Node &node, bool flip, const double x[3], doub
   }
 }
 
-/* ---- without contact --------------------------------------------------------------------------
- */
+/* ---- without contact ---- */
 
 /* By the nearest point of each part's faces from either side; those that are hidden count, too. */
 double RegionShape::clear(const Course &course, const FaceList &stays) const {
@@ -330,8 +326,7 @@ bool RegionShape::under(int face, const double x[3], const double v[3], double r
   return false;
 }
 
-/* ---- what sticks ------------------------------------------------------------------------------
- */
+/* ---- what sticks ---- */
 
 /* To the part whose face is there. */
 void RegionShape::stick(const Path &path, const Contact &contact, Place &place) const {

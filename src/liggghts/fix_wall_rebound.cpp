@@ -22,8 +22,7 @@ using asperity::text;
 using asperity::Wall;
 using asperity::Words;
 
-/* ---- making -----------------------------------------------------------------------------------
- */
+/* ---- making ---- */
 
 FixWallRebound::FixWallRebound(LAMMPS *engine, int narg, char **arg)
     : WallHooks(engine, narg, arg), WallFix(engine, this), wall_type_(), is_set_up_(false) {
@@ -133,8 +132,7 @@ void FixWallRebound::pre_delete(bool unfixflag) {
     }
 }
 
-/* ---- what the wall asks -----------------------------------------------------------------------
- */
+/* ---- what the wall asks ---- */
 
 std::string FixWallRebound::known_units() const {
   return "si, cgs or micro";
@@ -205,8 +203,7 @@ int FixWallRebound::max_type() {
   return wall_type_[1];
 }
 
-/* ---- checks -----------------------------------------------------------------------------------
- */
+/* ---- checks ---- */
 
 /* In the place of a fix that is defined anew LIGGGHTS has nothing by now, and it has left the old
  * one's properties of atoms and meshes. */
@@ -267,8 +264,7 @@ void FixWallRebound::check_owner(const FixMeshSurface *mesh) const {
   }
 }
 
-/* ---- a run ------------------------------------------------------------------------------------
- */
+/* ---- a run ---- */
 
 void FixWallRebound::prepare() {
   check_meshes();

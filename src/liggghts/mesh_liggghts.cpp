@@ -36,8 +36,7 @@ MeshOfLiggghts::MeshOfLiggghts(MPI_Comm world, FixMeshSurface *fix)
   pieces_ = static_cast<size_t>(most) + 1;
 }
 
-/* ---- where it is ------------------------------------------------------------------------------
- */
+/* ---- where it is ---- */
 
 std::string MeshOfLiggghts::setup(const Box &box) {
   const bool first = !triangles();
@@ -282,8 +281,7 @@ void MeshOfLiggghts::check_form() const {
              fix_->id, all));
 }
 
-/* ---- belts ------------------------------------------------------------------------------------
- */
+/* ---- belts ---- */
 
 bool MeshOfLiggghts::runs() const {
   return fix_->surfaceVel();

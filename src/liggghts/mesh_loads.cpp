@@ -54,8 +54,7 @@ void MeshOfLiggghts::show(size_t first, const std::vector<double> &sums, double 
   }
 }
 
-/* ---- for the stress module --------------------------------------------------------------------
- */
+/* ---- for the stress module ---- */
 
 MeshModuleStress *MeshOfLiggghts::stress() const {
   return dynamic_cast<MeshModuleStress *>(fix_->get_module("stress"));

@@ -35,8 +35,7 @@ void Books::add_shape() {
   shapes_.push_back(std::move(shape));
 }
 
-/* ---- the command ------------------------------------------------------------------------------
- */
+/* ---- the command ---- */
 
 bool Books::parse(Words &words) {
   if (words.take("ledger"))
@@ -87,8 +86,7 @@ std::string Books::torque_about() const {
   return setting(at[0]) + " " + setting(at[1]) + " " + setting(at[2]);
 }
 
-/* ---- a run ------------------------------------------------------------------------------------
- */
+/* ---- a run ---- */
 
 void Books::init() {
   if (!ledger_)
@@ -176,8 +174,7 @@ void Books::check_written(const std::string &wrong) const {
   setup_.engine.warn(wrong);
 }
 
-/* ---- loads ------------------------------------------------------------------------------------
- */
+/* ---- loads ---- */
 
 /* Adds to `count` sums of a piece from `first` on. */
 void Books::ShapeSums::add_values(int piece, Sum first, int count, const double values[]) {
@@ -301,8 +298,7 @@ void Books::record(const Impact &counted) {
   ledger_->add_row(row);
 }
 
-/* ---- output -----------------------------------------------------------------------------------
- */
+/* ---- output ---- */
 
 /* The counters, and behind them the totals of each shape. */
 double Books::number(size_t k) const {
@@ -353,8 +349,7 @@ size_t Books::bytes() const {
   return all;
 }
 
-/* ---- restart ----------------------------------------------------------------------------------
- */
+/* ---- restart ---- */
 
 void Books::save(WallState &state) {
   if (ledger_)

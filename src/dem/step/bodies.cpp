@@ -75,8 +75,7 @@ void asperity::claim_bodies(const std::vector<Wall *> &walls, Bodies &bodies, MP
   }
 }
 
-/* ---- free motion -------------------------------------------------------------------------------
- */
+/* ---- free motion ---- */
 
 void asperity::turn_by(const double omega[3], double time, double axes[3][3]) {
   const double rate = aspi_length(omega);
@@ -164,8 +163,7 @@ void asperity::momentum_of(const Body &body, const double omega[3], double momen
                     momentum);
 }
 
-/* ---- to and from an engine --------------------------------------------------------------------
- */
+/* ---- to and from an engine ---- */
 
 void BodySource::set_spheres(std::vector<Found> &found) {
   std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {

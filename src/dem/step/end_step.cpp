@@ -209,8 +209,7 @@ bool Resting::hold(const std::vector<Hold> &by, AtEnd &now) {
 
 } // namespace
 
-/* ---- the energy of a rebound ------------------------------------------------------------------
- */
+/* ---- the energy of a rebound ---- */
 
 /* True if a change of velocity is not across n, to rounding. */
 static bool changes_along(const double n[3], const double change[3]) {
@@ -289,8 +288,7 @@ static void balance(Wall &wall, const Movers &movers, int i) {
                       mover.load(0, static_cast<int>(rebound.piece), end.x, n, end.x, p, NULL));
 }
 
-/* ---- movers -----------------------------------------------------------------------------------
- */
+/* ---- movers ---- */
 
 /* A mover that rests at these walls. */
 static void end_one(const Walls &walls, const std::vector<Hold> &by, const Movers &movers, int i,

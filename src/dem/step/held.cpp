@@ -84,8 +84,7 @@ inline bool impulse(Held &s, const double u[3], double p[3]) {
   return true;
 }
 
-/* ---- contacts one after another ---------------------------------------------------------------
- */
+/* ---- contacts one after another ---- */
 
 void find_response(const Mover &mover, Held &s) {
   for (int d = 0; d < 3; d++) {

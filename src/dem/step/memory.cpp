@@ -108,8 +108,7 @@ int Memories::unpack(int i, const double *from) {
   return static_cast<int>(from[0]);
 }
 
-/* ---- bodies -----------------------------------------------------------------------------------
- */
+/* ---- bodies ---- */
 
 void BodyMemories::write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
                          std::vector<double> &to) {

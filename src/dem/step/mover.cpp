@@ -23,8 +23,7 @@ bool is_round(const Body &body, const BodySphere &one) {
 
 } // namespace
 
-/* ---- what it remembers ------------------------------------------------------------------------
- */
+/* ---- what it remembers ---- */
 
 std::vector<Rest> WallMemory::NO_RESTS;
 
@@ -86,8 +85,7 @@ FacePlace &WallMemory::new_face() const {
       [](const FacePlace &one, const FacePlace &other) { return one.time < other.time; });
 }
 
-/* ---- what it is -------------------------------------------------------------------------------
- */
+/* ---- what it is ---- */
 
 void Mover::set_body(const Movers &all) {
   body = &all.bodies->all[static_cast<size_t>(i)];
@@ -114,8 +112,7 @@ bool Mover::is_central(size_t k) const {
   return is_ball || aspi_length(sphere[k].arm) < NEAR * sphere[k].radius;
 }
 
-/* ---- all of them ------------------------------------------------------------------------------
- */
+/* ---- all of them ---- */
 
 void Movers::read_body(const Mover &mover, Instant &now) const {
   double momentum[3];
@@ -164,8 +161,7 @@ void Movers::push_body(const Mover &mover, const double a[3], const double alpha
   aspi_add_scaled(body.torque, mover.mass, torque, body.torque);
 }
 
-/* ---- how it turns -----------------------------------------------------------------------------
- */
+/* ---- how it turns ---- */
 
 void Mover::arm(size_t k, double out[3]) const {
   const double *at = sphere[k].arm;

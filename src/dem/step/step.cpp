@@ -67,8 +67,7 @@ static void search_all(const Walls &walls, Flight &flight) {
     flight.mover.members(*wall).ahead.expire(flight.mover.i);
 }
 
-/* ---- one contact ------------------------------------------------------------------------------
- */
+/* ---- one contact ---- */
 
 /* The criterion at the top of this file, f - a.n as `press`; a point of a body falls faster to the
  * wall where others hold it, as its ends do at most. arrives: the sphere comes from elsewhere. */
@@ -127,8 +126,7 @@ static bool take_impact(Flight &flight, const double v[3]) {
   return false;
 }
 
-/* ---- the contacts of one instant --------------------------------------------------------------
- */
+/* ---- the contacts of one instant ---- */
 
 /* The restitution of a sphere as if it hit alone, straight on. True if it sticks. */
 static bool hit_alone(ContactPoint &at, const asp_key &key, double &restitution) {
@@ -319,8 +317,7 @@ static int meet(Flight &flight, std::vector<Touch> &touches, int nth, bool &slid
   return -1;
 }
 
-/* ---- one mover, and all of them ---------------------------------------------------------------
- */
+/* ---- one mover, and all of them ---- */
 
 /* All contacts of one mover in this step. near: the walls that it may touch on its known way. True
  * if any of them changes its way, which sliding along walls where it rests does not; stuck: where

@@ -13,8 +13,7 @@
 
 using namespace asperity;
 
-/* ---- its place --------------------------------------------------------------------------------
- */
+/* ---- its place ---- */
 
 /* Where the wall has the center of the sphere that sticks, after what is left of the step: the
  * periodic image that is nearest to `near`. */
@@ -56,8 +55,7 @@ static Stuck &note(const Touch &touch, const Mover &mover) {
   return to;
 }
 
-/* ---- how it moves -----------------------------------------------------------------------------
- */
+/* ---- how it moves ---- */
 
 /* Gives a stuck mover, which is shifted in its place, the velocity of its wall, with the load that
  * holds it. */
@@ -231,8 +229,7 @@ void Wall::hold_stuck(const Movers &movers) {
     books.add_kept_loads();
 }
 
-/* ---- removal ----------------------------------------------------------------------------------
- */
+/* ---- removal ---- */
 
 /* Draws the adhesion of a deposit, and when it ends, by the next key of its draws. */
 static asp_removal draw_removal(const Setup &setup, const Mover &mover, const Stuck &place,
