@@ -6,6 +6,7 @@
 #include <float.h>
 #include <locale.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -123,19 +124,34 @@ static bool round_to(double size, int digits, unsigned long long *number, int *e
   return true;
 }
 
-static void write_digits(unsigned long long number, int digits, char *to) {
+/* So many digits of a number: of one below 2^32, of any one. */
+static inline void write_part(uint32_t number, int digits, char *to) {
   static const char pairs[] = "00010203040506070809101112131415161718192021222324"
                               "25262728293031323334353637383940414243444546474849"
                               "50515253545556575859606162636465666768697071727374"
                               "75767778798081828384858687888990919293949596979899";
-  char *at = to + digits;
-  while (at > to + 1) {
-    unsigned long long above = number / 100;
-    memcpy(at -= 2, pairs + 2 * (number - 100 * above), 2);
-    number = above;
+  for (; digits > 1; number /= 100) {
+    digits -= 2;
+    memcpy(to + digits, pairs + 2 * (number % 100), 2);
   }
-  if (at > to)
+  if (digits > 0)
     *to = (char)('0' + number);
+}
+
+static void write_digits(uint64_t number, int digits, char *to) {
+  for (; digits > 8; number /= 100000000) {
+    digits -= 8;
+    write_part((uint32_t)(number % 100000000), 8, to + digits);
+  }
+  write_part((uint32_t)number, digits, to);
+}
+
+char *aspi_count_format(double value, char to[ASPI_NUMBER_MOST]) {
+  int digits = 1;
+  while (value >= power[digits])
+    digits++;
+  write_digits((uint64_t)value, digits, to);
+  return to + digits;
 }
 
 char *aspi_number_format(double value, int digits, char to[ASPI_NUMBER_MOST]) {

@@ -34,6 +34,9 @@ enum { ASPI_NUMBER_MOST = 40 };
  * digits: printing numbers is most of the cost of a file of results. No NUL; returns the end. */
 char *aspi_number_format(double value, int digits, char to[ASPI_NUMBER_MOST]);
 
+/* The same of a whole number from 0 to 2^53, with all of its digits. */
+char *aspi_count_format(double value, char to[ASPI_NUMBER_MOST]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,7 +4,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "alone.h"
 
+#include <unistd.h>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "contact/vector.h"
 #include "dem/error.h"
@@ -106,6 +109,45 @@ void ledger_rows_are_one_block(void **) {
         assert_true(rows[i][k] == 100. * i + k);
     }
   }
+}
+
+std::string contents(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+/* Rows go to the file long before a window ends, in the same order: no more of them wait than some
+ * steps have. */
+void ledger_is_written_early(void **) {
+  const char *const names[] = {"ledger_each.csv", "ledger_end.csv"};
+  const int64_t steps = 400, each = 200, every[] = {1, 1000000};
+  for (int k = 0; k < 2; k++) {
+    Ledger ledger(MPI_COMM_WORLD, every[k], names[k], Ledger::STOP, Ledger::N_COLUMNS);
+    size_t last = 0, most = 0;
+    ledger.open("heading");
+    for (int64_t step = 1; step <= steps; step++) {
+      ledger.begin_step(step);
+      for (int64_t i = 0; i < each; i++) {
+        LedgerRow row;
+        row.fill(0.1);
+        row[Ledger::STEP] = static_cast<double>(step);
+        row[Ledger::TAG] = static_cast<double>(i * 37 % each);
+        ledger.add_row(row);
+      }
+      assert_string_equal(ledger.end_step(step).c_str(), "");
+      const size_t now = contents(names[k]).size();
+      most = std::max(most, now - last);
+      last = now;
+    }
+    assert_int_equal(ledger.size(), k == 0 ? each : steps * each);
+    assert_string_equal(ledger.flush().c_str(), "");
+    const size_t whole = contents(names[k]).size();
+    assert_true(last > 0.7 * static_cast<double>(whole));
+    assert_true(most < 0.3 * static_cast<double>(whole));
+  }
+  assert_true(contents(names[0]) == contents(names[1]));
+  for (const char *name : names)
+    unlink(name);
 }
 
 /* Particles that leave a periodic box would come back behind a plane or inside of a cylinder. */
@@ -428,6 +470,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(two_dimensions_stay_in_their_plane),
       cmocka_unit_test(two_dimensions_refuse_what_leaves_them),
       cmocka_unit_test(ledger_rows_are_one_block),
+      cmocka_unit_test(ledger_is_written_early),
       cmocka_unit_test(periodic_directions_are_refused),
       cmocka_unit_test(meshes_repeat_with_the_box),
       cmocka_unit_test(long_flights_meet_a_mesh),

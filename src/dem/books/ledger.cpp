@@ -10,10 +10,13 @@
 
 using namespace asperity;
 
+/* About so many rows of all ranks are printed and written at once. */
+static const int64_t ROWS = 1 << 14;
+
 Ledger::Ledger(MPI_Comm world, int64_t every, const std::string &path, OnError on_error,
                int columns)
     : world_(world), every_(every), path_(path), on_error_(on_error), n_columns_(columns), saved_(),
-      is_open_(false), lost_(0), written_(0) {
+      is_open_(false), lost_(0), steps_most_(1), n_steps_(0) {
   MPI_Comm_rank(world_, &rank_);
   if (rank_ == 0 && !path_.empty())
     file_.reset(new LedgerFile(path, columns));
@@ -52,11 +55,11 @@ void Ledger::begin_step(int64_t step) {
     return;
   numbers_.clear();
   steps_.clear();
-  written_ = 0;
 }
 
 std::string Ledger::end_step(int64_t step) {
-  return step % every_ == 0 ? flush() : "";
+  n_steps_++;
+  return step % every_ == 0 || n_steps_ >= steps_most_ ? flush() : "";
 }
 
 /* On rank 0. */
@@ -77,14 +80,24 @@ std::string Ledger::commit(const PrintedRows &rows) {
          " in all";
 }
 
-/* Each rank prints its own rows, which is most of the work; the first one puts them in order. */
+/* Each rank prints its own rows, which is most of the work; the first one puts them in order. The
+ * rows of the next steps wait for as long as will make about ROWS of them. */
 std::string Ledger::flush() {
   if (!is_open_)
     return "";
   PrintedRows mine;
-  for (; written_ < steps_.size(); written_++)
-    mine.add(&numbers_[written_ * static_cast<size_t>(n_columns_)], n_columns_, steps_[written_]);
+  const double *row =
+      numbers_.data() + numbers_.size() - steps_.size() * static_cast<size_t>(n_columns_);
+  for (const double step : steps_) {
+    mine.add(row, n_columns_, step);
+    row += n_columns_;
+  }
+  steps_.clear();
   const PrintedRows all = {gather(mine.keys, world_), gather(mine.bytes, world_)};
+  int64_t count = static_cast<int64_t>(all.size());
+  MPI_Bcast(&count, 1, MPI_INT64_T, 0, world_);
+  steps_most_ = std::max<int64_t>(1, 2 * count < ROWS ? 2 * n_steps_ : n_steps_ * ROWS / count);
+  n_steps_ = 0;
   return share(rank_ == 0 ? commit(all) : "", world_);
 }
 
@@ -108,7 +121,7 @@ std::string Ledger::save(LedgerState &state) {
 double **Ledger::rows() {
   if (numbers_.empty())
     numbers_.reserve(1); /* an engine may take the address of the first row where there is none */
-  pointers_.resize(std::max(steps_.size(), static_cast<size_t>(1)));
+  pointers_.resize(std::max(static_cast<size_t>(size()), static_cast<size_t>(1)));
   for (size_t i = 0; i < pointers_.size(); i++)
     pointers_[i] = numbers_.data() + i * static_cast<size_t>(n_columns_);
   return pointers_.data();

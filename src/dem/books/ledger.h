@@ -38,8 +38,9 @@ public:
   /* At the beginning of a step: forgets the rows of the window that has ended. */
   void begin_step(int64_t step);
 
-  /* At the end of a step, and of a run: rows to the file, at the end of a step when a window ends.
-   * Collective. Returns an empty string, or, on all ranks, why rows are lost, and how many. */
+  /* At the end of a step, and of a run: rows to the file, at the end of a step when a window ends,
+   * or when there are many. Collective. Returns an empty string, or, on all ranks, why rows are
+   * lost, and how many. */
   std::string end_step(int64_t step);
   std::string flush();
 
@@ -56,7 +57,7 @@ public:
     return n_columns_;
   }
   int size() const {
-    return static_cast<int>(steps_.size());
+    return static_cast<int>(numbers_.size() / static_cast<size_t>(n_columns_));
   }
   /* The columns of all rows, one block of memory as LAMMPS and its Python interface expect it.
    * Valid until the next row is added. */
@@ -75,10 +76,11 @@ private:
   LedgerState saved_;
   std::unique_ptr<LedgerFile> file_; /* on rank 0 */
   bool is_open_;
-  int64_t lost_;                        /* rows, in all */
-  std::vector<double> numbers_, steps_; /* n_columns_ of each row, and its step */
+  int64_t lost_;                 /* rows, in all */
+  int64_t steps_most_, n_steps_; /* after which rows are written, and those since they were */
+  std::vector<double> numbers_;  /* n_columns_ of each row */
+  std::vector<double> steps_;    /* of the last ones, which are not in the file yet */
   std::vector<double *> pointers_;
-  size_t written_; /* rows that are in the file */
 };
 
 } // namespace asperity

@@ -62,7 +62,7 @@ std::string LedgerFile::open(const LedgerState &saved, const std::string &headin
   }
 }
 
-/* Returns true for a new file. A pipe or a device could not be cut back to whole windows. */
+/* Returns true for a new file. A pipe or a device could not be cut back to whole rows. */
 bool LedgerFile::open_or_create(const LedgerState &saved) {
   const int flags = O_RDWR | O_CLOEXEC;
   struct stat is;
@@ -204,7 +204,7 @@ std::string LedgerFile::write(const char *bytes, size_t length) {
   return "";
 }
 
-/* Back to the windows that have ended. */
+/* Back to the rows that were added. */
 std::string LedgerFile::take_back() {
   torn_ = size() > bytes_ && ftruncate(fd_, bytes_) != 0;
   return torn_ ? strerror(errno) : "";
@@ -269,12 +269,8 @@ void asperity::append_line(const double *row, int columns, std::vector<char> &by
       *end++ = ',';
     if (std::isnan(row[i])) /* a coefficient that there is not */
       continue;
-    if (COLUMNS[i].type[0] != 'i')
-      end = aspi_number_format(row[i], 10, end);
-    else {
-      const std::string count = std::to_string(static_cast<long long>(row[i]));
-      end = std::copy(count.begin(), count.end(), end);
-    }
+    end = COLUMNS[i].type[0] == 'i' ? aspi_count_format(row[i], end)
+                                    : aspi_number_format(row[i], 10, end);
   }
   *end++ = '\n';
   bytes.insert(bytes.end(), line, end);

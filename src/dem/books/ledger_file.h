@@ -1,6 +1,6 @@
 /* The rows of a ledger as lines of CSV, and their file, on the one rank that writes it. A run
- * begins it; a restart continues it. Rows are added when a window of rows ends. If a write fails,
- * the file is cut back to the last row before the window.
+ * begins it; a restart continues it. Rows are added many at once, those of some steps. If a write
+ * fails, the file is cut back to the last row before them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef ASPERITY_DEM_LEDGER_FILE_H
@@ -59,7 +59,7 @@ public:
    * another wall or run. Returns a note for the user, or an empty string. */
   std::string open(const LedgerState &saved, const std::string &heading);
 
-  /* Adds a window with that many rows, as the file has them: they are all in the file, or none.
+  /* Adds that many rows, as the file has them: they are all in the file, or none.
    * Returns an empty string, or why they are not. */
   std::string commit(const std::vector<char> &bytes, int64_t rows);
 
@@ -87,7 +87,7 @@ private:
   std::string path_;
   int columns_;
   int fd_;
-  int64_t rows_, bytes_; /* of the windows that have ended */
+  int64_t rows_, bytes_; /* that were added */
   bool torn_;            /* there may be more than bytes_ in the file */
 };
 
