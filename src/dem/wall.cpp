@@ -53,8 +53,8 @@ static std::vector<int> wall_types(const Setup &setup) {
 Wall::Wall(const Engine &engine)
     : setup(engine), rows(), books(setup, rows), grains(setup, rows, false),
       bodies(setup, body_rows, true), begins(false), is_rough(false), has_valleys(false),
-      has_lay(false), is_still(false), has_to_delete(false), is_cut(false), is_passed(false),
-      dt_ahead(0), fastest_(0), warned_(false), warned_of_passing_(false) {}
+      has_flow(false), has_lay(false), is_still(false), has_to_delete(false), is_cut(false),
+      is_passed(false), dt_ahead(0), fastest_(0), warned_(false), warned_of_passing_(false) {}
 
 void Wall::add_shape(std::unique_ptr<Shape> shape, int wall_type, size_t pieces,
                      const std::string &name) {
@@ -112,6 +112,7 @@ void Wall::begin_run(const Spheres &s, int groupbit, const Box &box) {
   shape_now_.clear();
   is_rough = setup.model.wall() && asp_wall_surface(setup.model.wall());
   has_valleys = is_rough && setup.interlocks && setup.model.dissipates();
+  has_flow = setup.model.has_flow();
   has_lay = setup.model.lay().kind != ASP_LAY_NONE || setup.engine.dimension() == 2;
   begins = true;
   grains.begin_run(setup, s);

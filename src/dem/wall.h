@@ -72,6 +72,7 @@ struct Wall {
   bool begins;        /* a run: its first step is to come */
   bool is_rough;      /* in this run */
   bool has_valleys;   /* that hold what rests */
+  bool has_flow;      /* that takes deposits away */
   bool has_lay;       /* in two dimensions, too: there the tilt is in the plane */
   bool is_still;      /* no shape moves or measures what sticks to it in this step */
   bool has_to_delete; /* movers of this rank are to be deleted */
@@ -146,6 +147,8 @@ struct Wall {
 
 private:
   void drop_load(StuckOne &at, double share);
+  void carry_other(const Movers &movers, StuckOne &at);
+  void hold_other(const Movers &movers, StuckOne &at);
   void check_speeds(const Spheres &spheres);
   void warn_of_speeds();
   Settings settings() const;

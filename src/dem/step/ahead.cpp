@@ -83,7 +83,7 @@ void Ahead::reorder(const Spheres &s) {
   tag_.resize(n, -1);
   for (size_t i = 0; i < n; i++) {
     const int64_t tag = s.tag_of(static_cast<int>(i));
-    if (tag_[i] == tag)
+    if (tag_[i] == tag && (stray_[i] < INFINITY || rows_.is_stuck(static_cast<int>(i))))
       continue;
     tag_[i] = tag;
     due_[i] = 0;
@@ -111,8 +111,10 @@ static bool any_due(const int *due, int n, int now) {
 }
 
 /* The speed by which a particle may stray. A wide course comes to a wall long before the particle
- * does; a narrow one is left as soon as forces act. */
+ * does; a narrow one is left as soon as forces act. What is stuck has none. */
 float Ahead::stray(const Spheres &s, int i) const {
+  if (rows_.is_stuck(i))
+    return INFINITY;
   const size_t at = 3 * static_cast<size_t>(i);
   const double most = STRAY_MOST * s.radius[i] / s.dt;
   if (are_bodies_ || rows_.status(i) == Status::RESTING)
@@ -142,7 +144,7 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Candidate> &near
     const double *v = s.v + 3 * static_cast<size_t>(first);
     const float *along = v_.data() + 3 * static_cast<size_t>(first);
     const int *due = due_.data() + first;
-    const bool some_stray = any_strays(v, along, 3 * count, share * least);
+    const bool some_stray = least < INFINITY && any_strays(v, along, 3 * count, share * least);
     if (!some_stray && !any_due(due, count, now_))
       continue;
     for (int i = 0; i < count; i++)

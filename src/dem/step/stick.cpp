@@ -170,6 +170,15 @@ static inline bool comes_again(const StuckOne &at, const Spheres &s) {
   return (change(s.v + row, at.v) | spin | (bits(&at.mass) ^ bits(s.mass + at.i))) == 0;
 }
 
+static inline void stop(const StuckOne &at, const Spheres &s) {
+  aspi_copy(NONE, s.v + 3 * static_cast<size_t>(at.i));
+}
+
+static inline void put_back(const StuckOne &at, const Spheres &s) {
+  aspi_copy(at.x, s.x + 3 * static_cast<size_t>(at.i));
+  stop(at, s);
+}
+
 /* Ends the load of a particle after this share of a step. */
 void Wall::drop_load(StuckOne &at, double share) {
   if (at.is_kept) {
@@ -179,53 +188,64 @@ void Wall::drop_load(StuckOne &at, double share) {
   at.was_stopped = at.is_kept = at.is_shown = false;
 }
 
-/* If a stuck particle has the same velocity and mass as in the last step, its load is unchanged:
- * the books keep it, and only x and v are reset. */
-void Wall::carry_stuck(const Movers &movers) {
-  is_still = true;
-  for (const Member &member : setup.shapes)
-    is_still = is_still && member.shape->is_still() && !member.shape->measures();
-  for (StuckOne &at : movers.members(*this).stuck) {
-    if (is_still && at.was_stopped && comes_again(at, *movers.grains)) {
-      const size_t row = 3 * static_cast<size_t>(at.i);
-      if (!at.is_kept) {
-        books.keep_load(at.i, at.x, at.v, at.mass);
-        at.is_kept = true;
-        rows.stuck(at.i).is_kept = 1;
-      }
-      aspi_copy(at.x, movers.grains->x + row);
-      aspi_copy(NONE, movers.grains->v + row);
-    } else {
-      drop_load(at, 0);
-      carry(*this, movers, at.i, movers.dt);
-    }
+/* One that is not as it was in the last step; where it was stopped, it may begin to be. */
+void Wall::carry_other(const Movers &movers, StuckOne &at) {
+  if (!is_still || !at.was_stopped || at.is_kept || !comes_again(at, *movers.grains)) {
+    drop_load(at, 0);
+    carry(*this, movers, at.i, movers.dt);
+    return;
   }
-  if (movers.grains)
+  books.keep_load(at.i, at.x, at.v, at.mass);
+  at.is_kept = true;
+  rows.stuck(at.i).is_kept = 1;
+  put_back(at, *movers.grains);
+}
+
+void Wall::hold_other(const Movers &movers, StuckOne &at) {
+  const Spheres *s = movers.grains;
+  if (at.is_kept && comes_again(at, *s)) {
+    books.show_kept(at.i);
+    at.is_shown = true;
+    stop(at, *s);
+    return;
+  }
+  drop_load(at, 0.5);
+  const Stuck &place = movers.members(*this).rows.stuck(at.i);
+  if (s) {
+    at.was_stopped = is_still && change(place.v, NONE) == 0;
+    aspi_copy(s->x + 3 * static_cast<size_t>(at.i), at.x);
+    aspi_copy(s->v + 3 * static_cast<size_t>(at.i), at.v);
+    at.mass = s->mass[at.i];
+  }
+  hold_one(*this, place, movers, Mover(movers, at.i), NONE);
+}
+
+/* If a stuck particle has the same velocity and mass at the ends of two steps, its load is
+ * unchanged: the books keep it, and only x and v are reset. At the beginning of the next step, the
+ * forces are those of the end of the last one: its velocity tells. */
+void Wall::carry_stuck(const Movers &movers) {
+  const Spheres *s = movers.grains;
+  bool still = true;
+  for (const Member &member : setup.shapes)
+    still = still && member.shape->is_still() && !member.shape->measures();
+  is_still = still;
+  for (StuckOne &at : movers.members(*this).stuck)
+    if (still && at.is_shown && change(s->v + 3 * static_cast<size_t>(at.i), at.v) == 0)
+      put_back(at, *s);
+    else
+      carry_other(movers, at);
+  if (s)
     books.add_kept_loads();
 }
 
 void Wall::hold_stuck(const Movers &movers) {
-  Population &of = movers.members(*this);
-  for (StuckOne &at : of.stuck) {
-    const Spheres *s = movers.grains;
-    if (at.is_kept && comes_again(at, *s)) {
-      aspi_copy(NONE, s->v + 3 * static_cast<size_t>(at.i));
-      if (!at.is_shown)
-        books.show_kept(at.i);
-      at.is_shown = true;
-      continue;
-    }
-    drop_load(at, 0.5);
-    const Stuck &place = of.rows.stuck(at.i);
-    if (s) {
-      at.was_stopped = is_still && change(place.v, NONE) == 0;
-      aspi_copy(s->x + 3 * static_cast<size_t>(at.i), at.x);
-      aspi_copy(s->v + 3 * static_cast<size_t>(at.i), at.v);
-      at.mass = s->mass[at.i];
-    }
-    hold_one(*this, place, movers, Mover(movers, at.i), NONE);
-  }
-  if (movers.grains)
+  const Spheres *s = movers.grains;
+  for (StuckOne &at : movers.members(*this).stuck)
+    if (at.is_shown && comes_again(at, *s))
+      stop(at, *s);
+    else
+      hold_other(movers, at);
+  if (s)
     books.add_kept_loads();
 }
 
@@ -253,7 +273,7 @@ static int face_now(const Member &member, const Stuck &at) {
  * it. */
 void Wall::let_go(const Movers &movers) {
   Population &of = movers.members(*this);
-  if (of.stuck.empty() || !setup.model.has_flow())
+  if (of.stuck.empty() || !has_flow)
     return;
   size_t kept = 0;
   for (StuckOne &at : of.stuck) {
