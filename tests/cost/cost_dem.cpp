@@ -247,8 +247,7 @@ void count_rows() {
 
 } // namespace
 
-int main(int argc, char **argv) {
-  MPI_Init(&argc, &argv);
+int main() {
   count_at_plane("grain at rest on a plane", SMOOTH, AT_REST, 20, 40);
   count_at_plane("grain at rest on a rough plane", ROUGH, AT_REST, 100, 40);
   count_at_mesh("grain at rest on a fine mesh", FINE, AT_REST, 20, 40);
@@ -270,6 +269,5 @@ int main(int argc, char **argv) {
   count_body("body that turns by 0.1", 0.1);
   count_body("body that turns by 3", 3);
   count_rows();
-  MPI_Finalize();
   return 0;
 }

@@ -253,7 +253,6 @@ bool weigh(double sigma, double steps) {
 } // namespace
 
 int main(int argc, char **argv) {
-  MPI_Init(&argc, &argv);
   const double impacts = argc > 1 ? atof(argv[1]) : 20000;
   bool good = true;
   for (double diameters : {0.5, 3., 12., 50.}) {
@@ -269,6 +268,5 @@ int main(int argc, char **argv) {
   }
   for (double sigma : {5., 10., 20.})
     good = weigh(sigma, impacts) && good;
-  MPI_Finalize();
   return good ? 0 : 1;
 }

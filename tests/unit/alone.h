@@ -15,6 +15,16 @@
 
 namespace asperity {
 
+/* MPI, from before main() to its end. */
+static const struct Session {
+  Session() {
+    MPI_Init(NULL, NULL);
+  }
+  ~Session() {
+    MPI_Finalize();
+  }
+} session;
+
 class Alone : public Engine {
 public:
   explicit Alone(int dimension = 3) : least(1), most(1), kind{true, 1, 1}, dimension_(dimension) {}

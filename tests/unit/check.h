@@ -19,18 +19,15 @@
 extern "C" {
 #endif
 #include <cmocka.h>
+
+/* Lists a test, and runs those of the file between two functions or NULL, which main.c does where
+ * there is no other main(). */
+void list_test(const char *name, CMUnitTestFunction run, CMFixtureFunction before,
+               CMFixtureFunction after);
+int run_listed_tests(CMFixtureFunction before, CMFixtureFunction after);
 #ifdef __cplusplus
 }
 #endif
-
-static struct CMUnitTest listed_tests[64];
-static size_t n_listed_tests;
-
-static inline void list_test(const char *name, CMUnitTestFunction run, CMFixtureFunction before,
-                             CMFixtureFunction after) {
-  const struct CMUnitTest test = {name, run, before, after, NULL};
-  listed_tests[n_listed_tests++] = test;
-}
 
 /* Defines a test and adds it to the list; TEST_BETWEEN runs it between two functions that set up
  * and clean up. */
@@ -41,10 +38,6 @@ static inline void list_test(const char *name, CMUnitTestFunction run, CMFixture
   }                                                                                                \
   static void name(__attribute__((unused)) void **nothing)
 #define TEST(name) TEST_BETWEEN(name, NULL, NULL)
-
-/* Runs the tests of the file, between two functions or NULL; for its main(). */
-#define RUN_TESTS(before, after)                                                                   \
-  _cmocka_run_group_tests(__FILE__, listed_tests, n_listed_tests, before, after)
 
 /* Fails unless |is - should| <= tolerance; prints both. */
 static inline void check_near(double is, double should, double tolerance, const char *file,

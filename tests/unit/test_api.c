@@ -247,7 +247,3 @@ TEST(a_broken_description_stays_so) {
   assert_non_null(strstr(error.text, "seed is 'x'"));
   asp_description_free(d);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

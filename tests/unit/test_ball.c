@@ -203,7 +203,3 @@ TEST(bad_maps_are_refused) {
   assert_non_null(strstr(error.text, "d_p is 13; it must be"));
   asp_heights_free(map);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -323,7 +323,3 @@ TEST(eccentric_grains_have_a_density) {
   assert_memory_equal(is.omega, particle.omega, sizeof is.omega);
   asp_wall_free(wall);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

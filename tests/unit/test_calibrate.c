@@ -18,7 +18,3 @@ TEST(deposits_are_a_share_of_all) {
     assert_near(m.covariance[MOMENT_XX][MOMENT_XX], 0.0009 / 3, 1e-15);
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

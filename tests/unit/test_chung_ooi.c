@@ -125,7 +125,3 @@ TEST(test_6_spinning_impact) {
     }
   asp_wall_free(wall);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

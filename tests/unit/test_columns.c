@@ -72,7 +72,3 @@ TEST(places_stay) {
   assert_int_equal(LEDGER_COR_N, 16);
   assert_int_equal(LEDGER_OUTCOME, 18);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -456,7 +456,3 @@ TEST(test_edges) {
     assert_true(any);
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -830,7 +830,3 @@ TEST(walls_are_reported) {
   asp_wall_free(wall);
   asp_description_free(d);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -179,7 +179,3 @@ TEST(text_comes_back) {
     asp_description_free(again);
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -61,7 +61,3 @@ TEST(length_must_fit_the_profile) {
     assert_non_null(strstr(error.text, i ? "lambda_s is 8001" : "lambda_s is 0.9"));
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

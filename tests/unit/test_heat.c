@@ -186,7 +186,3 @@ TEST(modulus_of_el_batsh) {
     asp_description_free(words);
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

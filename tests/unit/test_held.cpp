@@ -197,7 +197,3 @@ TEST(balls_are_found) {
 }
 
 } // namespace
-
-int main() {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -579,7 +579,3 @@ TEST(no_number) {
     asp_wall_free(wall);
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

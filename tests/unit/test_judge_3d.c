@@ -268,7 +268,3 @@ TEST(crests_are_hit_once) {
   assert_true(later > 0.012 && later < 0.025);
   aspi_judge_free(&all);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -262,7 +262,3 @@ TEST(bad_materials_are_named) {
   assert_null(aspi_materials_read("/nowhere/materials.csv", &error));
   assert_int_equal(error.code, ASP_EFILE);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

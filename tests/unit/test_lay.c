@@ -266,7 +266,3 @@ TEST(headings_have_their_own_size) {
   }
   setup_free(&made);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -79,7 +79,3 @@ TEST(cylinders_have_helices) {
 }
 
 } // namespace
-
-int main() {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -232,7 +232,7 @@ int main() {
   char name[] = "/tmp/asperity-XXXXXX";
   signal(SIGXFSZ, SIG_IGN);
   folder = mkdtemp(name);
-  const int failed = RUN_TESTS(NULL, NULL);
+  const int failed = run_listed_tests(NULL, NULL);
   if (system(("rm -r " + folder).c_str()) != 0)
     return 1;
   return failed;

@@ -391,7 +391,6 @@ const Row ROWS[] = {
 } // namespace
 
 int main(int argc, char **argv) {
-  MPI_Init(&argc, &argv);
   int failed = 0;
   double all[3] = {0, 0, 0};
   for (const Row &row : ROWS) {
@@ -414,6 +413,5 @@ int main(int argc, char **argv) {
   }
   printf("%d rows fail; at most off by: impulse %.1e, angular %.1e, columns %.1e\n", failed, all[0],
          all[1], all[2]);
-  MPI_Finalize();
   return failed > 0;
 }

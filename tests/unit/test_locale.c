@@ -106,5 +106,5 @@ TEST(nothing_is_left_behind) {
 }
 
 int main(void) {
-  return RUN_TESTS(set_locale, NULL);
+  return run_listed_tests(set_locale, NULL);
 }

@@ -46,7 +46,7 @@ double distance(const double a[3], const double b[3]) {
 
 const double BODY[3] = {0.3, 0.7, -0.2};
 
-void test_frames(void **) {
+TEST(frames) {
   const Frame frame = frame_at(1.1, 0.4);
   double world[3], back[3];
   frame.to_world(BODY, world);
@@ -55,7 +55,7 @@ void test_frames(void **) {
   assert_true(Frame().is_world() && !frame.is_world());
 }
 
-void test_steady(void **) {
+TEST(steady) {
   const double angles[] = {1e-9, 1e-4, 0.009, 0.011, 0.5, 3};
   for (double angle : angles) {
     Motion motion;
@@ -75,7 +75,7 @@ void test_steady(void **) {
 }
 
 /* More than a quarter of a turn in a step is an error. */
-void test_fast_turns(void **) {
+TEST(fast_turns) {
   check_turn("mesh 'm'", 1.57);
   try {
     check_turn("mesh 'm'", -1.58);
@@ -86,7 +86,7 @@ void test_fast_turns(void **) {
 }
 
 /* x = sin(t) along z and in angle: halving the step divides the errors by four. */
-void test_second_order(void **) {
+TEST(second_order) {
   double before[2] = {0, 0};
   for (double dt = 0.1; dt > 0.002; dt /= 2) {
     Motion motion;
@@ -117,7 +117,7 @@ void test_second_order(void **) {
 
 /* A point with the acceleration that follow() gives keeps its speed over a plane of the body, for
  * any velocity of its own: also where the body's motion is accelerated. */
-void test_follow(void **) {
+TEST(follow) {
   const double dt = 1e-3, h = 1e-3, n[3] = {0.6, 0.48, 0.64}, v[3] = {0.7, -0.4, 0.3};
   const double start = 1.1, x[3] = {0.9, 0.2, -0.3};
   Motion motion;
@@ -143,7 +143,7 @@ void test_follow(void **) {
 
 /* An engine that sums up places from velocities, x(t + dt) = x(t) + v(t + dt) dt: the places are
  * those of a motion of its own, half a step ahead, and velocities must be of that one. */
-void test_summed(void **) {
+TEST(summed) {
   double before = 0;
   for (double dt = 0.1; dt > 0.002; dt /= 2) {
     const double size = 0.5 * dt / sin(0.5 * dt);
@@ -170,7 +170,7 @@ void test_summed(void **) {
   }
 }
 
-void test_rest(void **) {
+TEST(rest) {
   Motion motion;
   double v[3];
   assert_true(motion.in_world() && !motion.moves());
@@ -186,12 +186,3 @@ void test_rest(void **) {
 }
 
 } // namespace
-
-int main() {
-  const CMUnitTest tests[] = {
-      cmocka_unit_test(test_frames),     cmocka_unit_test(test_steady),
-      cmocka_unit_test(test_fast_turns), cmocka_unit_test(test_second_order),
-      cmocka_unit_test(test_summed),     cmocka_unit_test(test_follow),
-      cmocka_unit_test(test_rest)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}

@@ -82,7 +82,3 @@ TEST(none_is_near_nothing) {
   assert_int_equal(aspi_near_take(near, &taken), 0);
   aspi_near_free(near);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -73,7 +73,3 @@ TEST(special) {
     check(nextafter(value, HUGE_VAL));
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -3,15 +3,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dlfcn.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 #include <string>
-extern "C" {
-#include <cmocka.h>
-}
+
+#include "check.h"
 
 namespace {
 
@@ -35,20 +29,20 @@ void says(const std::string &text, const char *part) {
     fail_msg("'%s' is not in '%s'", part, text.c_str());
 }
 
-void another_version(void **) {
+TEST(another_version) {
   version = 20200101;
   tag_bytes = 4;
   says(load(), "wallreboundplugin.so: the version of LAMMPS is 20200101, but it was built for "
                "20260704; build asperity again");
 }
 
-void other_integers(void **) {
+TEST(other_integers) {
   version = 20260704;
   tag_bytes = 8;
   says(load(), "the size of tagint is 8, but it was built for 4");
 }
 
-void no_mpi(void **) {
+TEST(no_mpi) {
   version = 20260704;
   tag_bytes = 4;
   has_mpi = 0;
@@ -57,7 +51,7 @@ void no_mpi(void **) {
 }
 
 /* Where all is well, the fix's own file comes next. */
-void no_style(void **) {
+TEST(no_style) {
   version = 20260704;
   tag_bytes = 4;
   says(load(), "wallreboundstyle.so: cannot open shared object file");
@@ -91,8 +85,5 @@ void lammps_error(void *, int kind, const char *text) {
 
 int main(int, char **argv) {
   plugin = argv[1];
-  const struct CMUnitTest tests[] = {cmocka_unit_test(another_version),
-                                     cmocka_unit_test(other_integers), cmocka_unit_test(no_mpi),
-                                     cmocka_unit_test(no_style)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
+  return run_listed_tests(NULL, NULL);
 }

@@ -761,7 +761,3 @@ TEST(several_profiles_are_one_wall) {
     unlink(names[i]);
   rmdir(folder);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -64,7 +64,3 @@ TEST(numbers_go_round) {
   aspi_number_print(4294967295.0, text);
   assert_string_equal(text, "4294967295");
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

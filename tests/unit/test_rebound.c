@@ -271,7 +271,3 @@ TEST(names_are_listed) {
   assert_non_null(strstr(error.text, "hastelloy-x"));
   assert_true(aspi_rebound_parameter_find(asp_rebound_find("constant", NULL), "cor_x") < 0);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

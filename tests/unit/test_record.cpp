@@ -169,7 +169,3 @@ TEST(records_too_long_are_refused) {
   assert_true(said.find("has 2147483648 bytes") != std::string::npos);
   assert_true(said.find("2147483647 at most") != std::string::npos);
 }
-
-int main() {
-  return RUN_TESTS(NULL, NULL);
-}

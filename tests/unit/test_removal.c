@@ -80,7 +80,3 @@ TEST(holds_by_what_it_sticks) {
     asp_wall_free(wall);
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

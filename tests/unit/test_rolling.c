@@ -171,7 +171,3 @@ TEST(bad_diameters_are_named) {
   }
   asp_heights_free(p);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -340,10 +340,3 @@ TEST(styles_are_known_without_suffix) {
 }
 
 } // namespace
-
-int main(int argc, char **argv) {
-  MPI_Init(&argc, &argv);
-  const int failed = RUN_TESTS(NULL, NULL);
-  MPI_Finalize();
-  return failed;
-}

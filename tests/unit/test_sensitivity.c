@@ -246,7 +246,3 @@ TEST(one_run_tells_of_others) {
     assert_near(mean[i][ASPI_OTHER], other[i], 4 * hypot(se[i][ASPI_OTHER] / sqrt(RUNS), run));
   }
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

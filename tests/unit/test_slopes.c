@@ -174,7 +174,3 @@ TEST(sphere_law_is_that_of_the_geometry) {
   free(half);
   free(z);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -277,7 +277,3 @@ TEST(published_adhesive_plastic_impacts) {
   best_of(4.9e-6, 1350, &fluorescein, &sticks);
   assert_near(sticks, 1.42, 0.03);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

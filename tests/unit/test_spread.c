@@ -401,5 +401,5 @@ TEST(models_describe_themselves) {
 }
 
 int main(void) {
-  return RUN_TESTS(NULL, release_all);
+  return run_listed_tests(NULL, release_all);
 }

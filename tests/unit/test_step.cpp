@@ -81,7 +81,7 @@ void add_momenta(const Grains &g, const double about[3], double sign, double sum
 
 /* Impulse and angular impulse of rough walls are what the grains lose, to rounding: by laws that
  * turn them and by those that do not, with first and later hits. */
-void walls_get_what_grains_lose(void **) {
+TEST(walls_get_what_grains_lose) {
   const double about[3] = {0.3, -0.2, 0.5};
   const char *const laws[] = {"walton 0.9 0.3 0.2", "constant 0.9 0.8"};
   for (const char *law : laws) {
@@ -149,7 +149,7 @@ void kick_without_forces(Grains &g, const double about[3], double lost[6]) {
 
 /* So it does of grains that roll over its faces, hop, and lie in its valleys. Some of the energy
  * that forces give is lost within a step, so that the sums of energy are less exact. */
-void valleys_get_what_grains_lose(void **) {
+TEST(valleys_get_what_grains_lose) {
   const double about[3] = {0.3, -0.2, 0.5};
   const int n = 100;
   GrainsAtWall s(
@@ -235,7 +235,7 @@ void go_down(const std::string &surface, double d, double angle, double height, 
 
 /* Grains that fall to a wall stop as often as spheres on generated walls do
  * (tests/sweep/README.md); they are anywhere in their first valley, not at its bottom. */
-void grains_fall_anywhere(void **) {
+TEST(grains_fall_anywhere) {
   double way, stopped;
   go_down("0.1414 lambda_c 1 spread visible plane", 4, 5, 0.1, 0, 0.1, way, stopped);
   assert_true(fabs(stopped - 0.575) < 0.1);
@@ -245,7 +245,7 @@ void grains_fall_anywhere(void **) {
 
 /* A long step does not make the faces longer: what it passes of a face at its end counts to the
  * next one. */
-void faces_keep_their_length(void **) {
+TEST(faces_keep_their_length) {
   double coarse, fine, stopped;
   go_down("0.035355 lambda_c 1", 8, 2, 0.01, 1.5, 0.5, coarse, stopped);
   go_down("0.035355 lambda_c 1", 8, 2, 0.01, 1.5, 0.05, fine, stopped);
@@ -254,7 +254,7 @@ void faces_keep_their_length(void **) {
 
 /* A bounce that is over within a step is none, also at a smooth wall: the last one that counts has
  * more speed than gravity takes in half a step. */
-void low_bounces_are_rests(void **) {
+TEST(low_bounces_are_rests) {
   for (double dt : {1e-3, 2.5e-4}) {
     const double e = 0.8, drop = 0.02, g = 9.81;
     GrainsAtWall s(plane(2, 0), "deposit off rebound walton 0.8 0.3 0", 1, 1e-3, dt);
@@ -271,7 +271,7 @@ void low_bounces_are_rests(void **) {
 }
 
 /* So does a wall at which one sticks, and later what others do to it. */
-void stuck_grains_pass_their_spin_on(void **) {
+TEST(stuck_grains_pass_their_spin_on) {
   GrainsAtWall s(plane(0, 0), STICKY, 1, 0.5, 0.1);
   Grains &grains = s.grains;
   grains.spins = true;
@@ -292,7 +292,7 @@ void stuck_grains_pass_their_spin_on(void **) {
 
 /* Whatever acts on a stuck grain goes to its wall, in the step in which it acts: as long as it
  * stays the same, when it changes within a step, and where grains change places within one. */
-void stuck_grains_pass_their_forces_on(void **) {
+TEST(stuck_grains_pass_their_forces_on) {
   GrainsAtWall s(plane(0, 0), STICKY, 2, 0.5, 0.1);
   Grains &grains = s.grains;
   for (int i = 0; i < 2; i++)
@@ -361,7 +361,7 @@ private:
 
 /* Of contacts in a row the last one that is searched may be a deposit: the grain is not trapped,
  * and its impacts count. */
-void the_last_contact_may_stick(void **) {
+TEST(the_last_contact_may_stick) {
   const Alone engine;
   const int series = 32, struck = 16; /* contacts; those before all are taken as sustained */
   Shapes walls;
@@ -381,7 +381,7 @@ void the_last_contact_may_stick(void **) {
 }
 
 /* All numbers of a wall take one reduction, and none until something has changed. */
-void numbers_take_one_reduction(void **) {
+TEST(numbers_take_one_reduction) {
   GrainsAtWall s(plane(0, 0), DULL, 1, 0.5, 0.1);
   Grains &grains = s.grains;
   grains.put(0, {0.55, 0, 0}, {-1, 0, 0});
@@ -409,7 +409,7 @@ void numbers_take_one_reduction(void **) {
  */
 
 /* Overlaps by rounding are no guarded contacts. A center on the wall goes back to its side. */
-void rounding_is_not_guarded(void **) {
+TEST(rounding_is_not_guarded) {
   const double overlap[] = {1e-10, 1e-6, 1e-3, 1};
   for (double deep : overlap) {
     GrainsAtWall s(plane(0, 0), DULL, 1, 0.5, 0.1);
@@ -424,7 +424,7 @@ void rounding_is_not_guarded(void **) {
 
 /* Between two meshes that leave a grain no room, of one wall or of two, at rest or closing in: it
  * is in the middle, goes with them, counts as guarded in each step, and has no more impacts. */
-void narrow_places_hold_grains(void **) {
+TEST(narrow_places_hold_grains) {
   const double up[3] = {0, 0, 1}, r = 1e-3, dt = 1e-5;
   const double cases[][4] = {/* gap, speed of the upper mesh; place and speed of the grain */
                              {1.5e-3, 0, 0.7e-3, 1e-3},
@@ -488,7 +488,7 @@ void narrow_places_hold_grains(void **) {
 }
 
 /* A prediction allows for as much straying as goes unnoticed: by three components at once. */
-void straying_grains_are_met(void **) {
+TEST(straying_grains_are_met) {
   const double n[3] = {sqrt(1. / 3), sqrt(1. / 3), sqrt(1. / 3)};
   const double stray = 2e-3 * 0.5, share[] = {0.57, 0.6, 0.99};
   for (double of : share) {
@@ -510,7 +510,7 @@ void straying_grains_are_met(void **) {
 
 /* The same of one that a floor bends on its way within each step, while a force bends it back: the
  * velocity that the prediction sees is not that of the path. */
-void bent_ways_are_met(void **) {
+TEST(bent_ways_are_met) {
   const double n[3] = {-M_SQRT1_2, -M_SQRT1_2, 0};
   const double stray = 2e-3 * 0.5, dt = 0.1, bends[] = {0.24, 2};
   const double fast[3] = {100 * stray / dt, 100 * stray / dt, 0};
@@ -548,7 +548,7 @@ void bent_ways_are_met(void **) {
 /* Without friction a grain slides around the inside of a cylinder at its speed, on the wall. The
  * steps that it takes are chords: their speed differs from that of the first instant by a share of
  * 1e-6. */
-void grains_slide_inside_cylinders(void **) {
+TEST(grains_slide_inside_cylinders) {
   GrainsAtWall s(ShapePtr(new CylinderShape(2, STILL, 5, 0, 0)),
                  "rebound walton 0.5 0 0 deposit off", 1, 0.5, 0.01);
   Grains &grains = s.grains;
@@ -568,7 +568,7 @@ void grains_slide_inside_cylinders(void **) {
 /* Without friction a grain slides down the outside of a cylinder, above it by no more than a
  * tangent of a step's length is, and leaves it where the cosine of the angle from the top is 2/3 of
  * that at which it began. */
-void grains_leave_cylinders(void **) {
+TEST(grains_leave_cylinders) {
   const double at = 0.1, rho = 5.5;
   GrainsAtWall s(ShapePtr(new CylinderShape(1, STILL, 5, 0, 0)),
                  "rebound walton 0.5 0 0 deposit off", 1, 0.5, 0.01);
@@ -603,7 +603,7 @@ class Turntable : public MeshShape {
 };
 
 /* A stuck grain goes around on a circle, to the second order of the step. */
-void belts_keep_their_radius(void **) {
+TEST(belts_keep_their_radius) {
   ContactTriangle triangle = {{{-30, -20, 0}, {30, -20, 0}, {0, 40, 0}}};
   Turntable belt;
   belt.set_triangles(std::vector<ContactTriangle>(1, triangle), std::vector<int>(1, 0));
@@ -616,7 +616,7 @@ void belts_keep_their_radius(void **) {
 
 /* A rough room at rest gives no energy to grains that gravity lets hop, slide and hit its corners,
  * in steps of 10 and 100 diameters: a cube, of one wall or of one for each plane, and a tube. */
-void rough_rooms_give_no_energy(void **) {
+TEST(rough_rooms_give_no_energy) {
   const double half = 10, g = 1, speed = sqrt(6 * g * half);
   for (int kind = 0; kind < 3; kind++) {
     const Alone engine;
@@ -663,7 +663,7 @@ void rough_rooms_give_no_energy(void **) {
 
 /* A face that faces the flight may send a grain off faster along the normal of the mean wall than
  * it came; no force that changes within the step may do so many times its work. */
-void forces_do_their_own_work(void **) {
+TEST(forces_do_their_own_work) {
   GrainsAtWall s(plane(2, 0), "surface sigma 10 rebound constant 1 1 deposit off spread visible",
                  100, 0.5, 0.01);
   Grains &grains = s.grains;
@@ -692,7 +692,7 @@ void forces_do_their_own_work(void **) {
  */
 
 /* Particles that are still to come have no density yet: that of their material counts. */
-void grains_to_come_are_not_doubted(void **) {
+TEST(grains_to_come_are_not_doubted) {
   const std::vector<Engine::Kind> kinds =
       kinds_of(Spheres(), 1, std::vector<double>(1, 5e-5), MPI_COMM_WORLD);
   assert_true(kinds[0].present && !(kinds[0].least > 0) && !(kinds[0].most > 0));
@@ -708,7 +708,7 @@ void grains_to_come_are_not_doubted(void **) {
 }
 
 /* A doubt that takes a diameter is said when there is one, and none is said twice. */
-void doubts_are_said_once(void **) {
+TEST(doubts_are_said_once) {
   Alone engine;
   engine.least = engine.most = 0;
   std::unique_ptr<Wall> wall =
@@ -725,7 +725,7 @@ void doubts_are_said_once(void **) {
 }
 
 /* Grains stick below the speed that the log names, and not above it. */
-void the_log_names_what_sticks(void **) {
+TEST(the_log_names_what_sticks) {
   Alone engine;
   engine.least = engine.most = 1e-5;
   engine.kind = Engine::Kind{true, 2650, 2650};
@@ -750,7 +750,7 @@ void the_log_names_what_sticks(void **) {
  */
 
 /* Larger and smaller grains than those so far need tables of their own; others do not. */
-void new_sizes_need_new_tables(void **) {
+TEST(new_sizes_need_new_tables) {
   Alone engine;
   std::unique_ptr<Wall> wall = make_wall(
       engine, plane(2, 0),
@@ -766,7 +766,7 @@ void new_sizes_need_new_tables(void **) {
 }
 
 /* A restart file that is written before the first step has what was read of the ledger's file. */
-void restarts_keep_their_ledger(void **) {
+TEST(restarts_keep_their_ledger) {
   const Alone engine;
   char folder[] = "/tmp/asperity.XXXXXX";
   assert_non_null(mkdtemp(folder));
@@ -795,35 +795,3 @@ void restarts_keep_their_ledger(void **) {
 }
 
 } // namespace
-
-int main(int argc, char **argv) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(walls_get_what_grains_lose),
-      cmocka_unit_test(valleys_get_what_grains_lose),
-      cmocka_unit_test(grains_fall_anywhere),
-      cmocka_unit_test(faces_keep_their_length),
-      cmocka_unit_test(low_bounces_are_rests),
-      cmocka_unit_test(stuck_grains_pass_their_spin_on),
-      cmocka_unit_test(stuck_grains_pass_their_forces_on),
-      cmocka_unit_test(the_last_contact_may_stick),
-      cmocka_unit_test(numbers_take_one_reduction),
-      cmocka_unit_test(rounding_is_not_guarded),
-      cmocka_unit_test(narrow_places_hold_grains),
-      cmocka_unit_test(straying_grains_are_met),
-      cmocka_unit_test(bent_ways_are_met),
-      cmocka_unit_test(grains_slide_inside_cylinders),
-      cmocka_unit_test(grains_leave_cylinders),
-      cmocka_unit_test(belts_keep_their_radius),
-      cmocka_unit_test(rough_rooms_give_no_energy),
-      cmocka_unit_test(forces_do_their_own_work),
-      cmocka_unit_test(grains_to_come_are_not_doubted),
-      cmocka_unit_test(doubts_are_said_once),
-      cmocka_unit_test(the_log_names_what_sticks),
-      cmocka_unit_test(new_sizes_need_new_tables),
-      cmocka_unit_test(restarts_keep_their_ledger),
-  };
-  MPI_Init(&argc, &argv);
-  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-  MPI_Finalize();
-  return failed;
-}

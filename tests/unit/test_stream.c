@@ -78,7 +78,3 @@ TEST(uniform_is_uniform) {
   assert_near(sum / n, 0, 5 * sqrt(1 / 12. / n));
   assert_near(square / n, 1 / 12., 5 * sqrt(1 / 180. / n));
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -334,7 +334,3 @@ TEST(words_of_a_slope_come_back) {
   assert_true(isnan(aspi_r_dq_met(5e-6, 1e-3, 1))); /* too large for a slope of 1 */
   asp_wall_free(wall);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -390,7 +390,3 @@ TEST(flights_come_back_over_what_lies_below) {
   aspi_field_free(&field);
   asp_heights_free(map);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -247,7 +247,3 @@ TEST(places_are_more_often_in_long_valleys) {
   assert_near(start[(int)(0.79 * DRAWS)], 2 * ASP_PI * 0.05, 0.003);
   asp_wall_free(wall);
 }
-
-int main(void) {
-  return RUN_TESTS(NULL, NULL);
-}

@@ -55,7 +55,7 @@ bool has(const std::string &text, const char *part) {
 
 /* Nothing leaves the plane, neither at an angle nor straight on, and an elastic wall keeps the
  * energy. */
-void two_dimensions_stay_in_their_plane(void **) {
+TEST(two_dimensions_stay_in_their_plane) {
   const Alone flat(2);
   Grains grains(GRAINS, DIAMETER / 2, 0.5);
   for (int i = 0; i < GRAINS; i++) /* each second one straight toward a plane */
@@ -75,7 +75,7 @@ void two_dimensions_stay_in_their_plane(void **) {
   assert_true(turned > GRAINS / 4);
 }
 
-void two_dimensions_refuse_what_leaves_them(void **) {
+TEST(two_dimensions_refuse_what_leaves_them) {
   const Alone flat(2), space(3);
   const std::string rough = "surface rq 0.2 lambda_c 1.6 ",
                     lay = "surface rq 0.1 lambda_c 1 2 lay ";
@@ -89,7 +89,7 @@ void two_dimensions_refuse_what_leaves_them(void **) {
 
 /* LAMMPS's fix ave/histo and its Python interface step from the first row by the number of
  * columns. */
-void ledger_rows_are_one_block(void **) {
+TEST(ledger_rows_are_one_block) {
   for (int columns : {+Ledger::N_COLUMNS, +Ledger::N_FULL}) {
     Ledger ledger(MPI_COMM_WORLD, 10, "", Ledger::STOP, columns);
     const int n = 20164;
@@ -118,7 +118,7 @@ std::string contents(const std::string &path) {
 
 /* Rows go to the file long before a window ends, in the same order: no more of them wait than some
  * steps have. */
-void ledger_is_written_early(void **) {
+TEST(ledger_is_written_early) {
   const char *const names[] = {"ledger_each.csv", "ledger_end.csv"};
   const int64_t steps = 400, each = 200, every[] = {1, 1000000};
   for (int k = 0; k < 2; k++) {
@@ -151,7 +151,7 @@ void ledger_is_written_early(void **) {
 }
 
 /* Particles that leave a periodic box would come back behind a plane or inside of a cylinder. */
-void periodic_directions_are_refused(void **) {
+TEST(periodic_directions_are_refused) {
   const Alone engine(3);
   const Spheres none = Spheres();
   const double still[3] = {0, 0, 0};
@@ -185,7 +185,7 @@ const Box BOX = {{-2, 5, -1}, {1, 1, 0}};
 
 /* At rest anywhere, or moved by part of a period or several in a step: a grain that falls meets it,
  * even if it flies through many periods in the step. */
-void meshes_repeat_with_the_box(void **) {
+TEST(meshes_repeat_with_the_box) {
   for (double moved : {0.0, 0.4, 1.0, 3.3, -7.6, 1e4}) {
     for (double by : {0.0, 0.01, 0.5, -3.7}) {
       MeshShape plate;
@@ -215,7 +215,7 @@ void meshes_repeat_with_the_box(void **) {
 }
 
 /* Grains that fly through many periods before they fall on the plate bounce from it. */
-void long_flights_meet_a_mesh(void **) {
+TEST(long_flights_meet_a_mesh) {
   const int n = 100;
   for (double by : {0.0, 0.003, 0.5}) {
     MeshShape *const plate = new MeshShape;
@@ -247,7 +247,7 @@ void long_flights_meet_a_mesh(void **) {
 }
 
 /* A flight of several periods is predicted for no step; one of a million is refused. */
-void absurd_flights_are_refused(void **) {
+TEST(absurd_flights_are_refused) {
   MeshShape plate;
   set_plate(plate);
   plate.set_images(BOX);
@@ -267,7 +267,7 @@ std::unique_ptr<Shape> ground() {
 }
 
 /* A row has the place in the box, wherever the grain is followed. */
-void rows_are_in_the_box(void **) {
+TEST(rows_are_in_the_box) {
   GrainsAtWall s(ground(), "rebound constant 1 1 deposit off ledger 10 columns full", 2, 0.1, 1);
   s.grains.put(0, {1.3, 0, 0.5}, {0, 0, -1});
   s.grains.put(1, {-0.4, 0, 0.5}, {0, 0, -1});
@@ -282,7 +282,7 @@ void rows_are_in_the_box(void **) {
 
 /* A plane that is in another unit, a lay without a direction on it, and a group without particles.
  */
-void idle_walls_are_doubted(void **) {
+TEST(idle_walls_are_doubted) {
   const char *const lay = "surface rq 0.1 lambda_c 1 2 lay 0 0 1 rebound constant 1 1 deposit off";
   const Bounds here = {{-1, -1, 0.3}, {1, 1, 5}}, far = {{-1, -1, 2}, {1, 1, 5}};
   Alone engine;
@@ -298,7 +298,7 @@ void idle_walls_are_doubted(void **) {
 }
 
 /* Grains that come later are asked about, too: once. */
-void grains_too_large_for_adhesion_are_doubted(void **) {
+TEST(grains_too_large_for_adhesion_are_doubted) {
   Alone engine;
   engine.least = engine.most = 1e-5;
   engine.kind = {true, 2650, 2650};
@@ -385,7 +385,7 @@ double time_of_body(int tag, double dt) {
 
 /* When a deposit leaves depends neither on the step nor on a restart, and a body leaves as the
  * sphere that holds it. */
-void flow_takes_deposits_away(void **) {
+TEST(flow_takes_deposits_away) {
   const std::vector<double> coarse = times_of_removal(0.02), fine = times_of_removal(0.005);
   int left = 0;
   for (int i = 0; i < GRAINS; i++) {
@@ -400,7 +400,7 @@ void flow_takes_deposits_away(void **) {
 
 /* A body that was stuck to a wall which is gone is held where it is at the beginning of the run,
  * before forces move it. */
-void bodies_of_no_wall_stay(void **) {
+TEST(bodies_of_no_wall_stay) {
   const Alone engine;
   std::unique_ptr<Wall> wall = make_wall(engine, ground(), "rebound constant 1 1 deposit freeze");
   Bodies bodies;
@@ -429,7 +429,7 @@ void bodies_of_no_wall_stay(void **) {
 
 /* A memory comes back as it was packed, its body finds it by its tag, and a wrong one is refused.
  */
-static void memories_come_back(void **) {
+TEST(memories_come_back) {
   MoverState shown[2] = {};
   Memories all = {shown, {}};
   double packed[PACKED_MOST], again[PACKED_MOST];
@@ -463,27 +463,4 @@ static void memories_come_back(void **) {
   const std::vector<double> cut(saved.begin(), saved.begin() + 9);
   const std::string wrong = error_of([&] { restored.restore(cut, [](MoverState &, Memory &) {}); });
   assert_true(has(wrong, "bodies of another form"));
-}
-
-int main(int argc, char **argv) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(two_dimensions_stay_in_their_plane),
-      cmocka_unit_test(two_dimensions_refuse_what_leaves_them),
-      cmocka_unit_test(ledger_rows_are_one_block),
-      cmocka_unit_test(ledger_is_written_early),
-      cmocka_unit_test(periodic_directions_are_refused),
-      cmocka_unit_test(meshes_repeat_with_the_box),
-      cmocka_unit_test(long_flights_meet_a_mesh),
-      cmocka_unit_test(absurd_flights_are_refused),
-      cmocka_unit_test(rows_are_in_the_box),
-      cmocka_unit_test(idle_walls_are_doubted),
-      cmocka_unit_test(grains_too_large_for_adhesion_are_doubted),
-      cmocka_unit_test(memories_come_back),
-      cmocka_unit_test(bodies_of_no_wall_stay),
-      cmocka_unit_test(flow_takes_deposits_away),
-  };
-  MPI_Init(&argc, &argv);
-  const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-  MPI_Finalize();
-  return failed;
 }

@@ -237,5 +237,5 @@ static int write_files(void **state) {
 }
 
 int main(void) {
-  return RUN_TESTS(write_files, NULL);
+  return run_listed_tests(write_files, NULL);
 }
