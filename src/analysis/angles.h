@@ -2,8 +2,7 @@
  * reference: the Kullback-Leibler divergence, with its standard error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_ANGLES_H
-#define ASP_ANALYSIS_ANGLES_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -42,5 +41,3 @@ aspi_mean_error aspi_angles_divergence(aspi_angle_groups reference, aspi_angle_g
 
 /* The mean over the groups of one of the sums, per rebound. */
 aspi_mean_error aspi_angles_mean(aspi_angle_groups groups, size_t sum);
-
-#endif

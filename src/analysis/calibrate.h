@@ -3,8 +3,7 @@
  * of moments are smooth in them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_CALIBRATE_H
-#define ASP_ANALYSIS_CALIBRATE_H
+#pragma once
 
 #include "analysis/impacts.h"
 #include "asperity_internal.h"
@@ -106,5 +105,3 @@ asp_code aspi_calibration_find(aspi_calibration *c, aspi_fit *fit, asp_error *er
  * out of memory. */
 bool aspi_calibration_coefficients(const aspi_calibration *c, size_t bin, double mean[COR_BOTH],
                                    double sd[COR_BOTH]);
-
-#endif

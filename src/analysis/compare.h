@@ -6,8 +6,7 @@
  * different angles therefore has a model sample of the same angles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_COMPARE_H
-#define ASP_ANALYSIS_COMPARE_H
+#pragma once
 
 #include "analysis/near.h"
 #include "analysis/score.h"
@@ -47,5 +46,3 @@ asp_code aspi_compare_make_bins(aspi_comparison *c, double width, bool given, as
 /* Fills the bins; the impacts are in order of their angle. If far is NULL, the measured impacts are
  * also the model's sample. */
 asp_code aspi_compare_fill(aspi_comparison *c, const aspi_compare_reach *far, asp_error *error);
-
-#endif

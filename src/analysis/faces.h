@@ -2,8 +2,7 @@
  * of a simulation as VTK in text (.vtk or .vtp) of any engine.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_FACES_H
-#define ASP_ANALYSIS_FACES_H
+#pragma once
 
 #include "asperity.h"
 #include "contact/contact.h"
@@ -34,5 +33,3 @@ void aspi_faces_free(aspi_faces *faces);
 
 /* Names of the fields in maps, first those of the fixes, then those of OpenFOAM behind `CLOUD:`. */
 extern const char *const aspi_face_names[ASPI_FACE_FIELDS][2];
-
-#endif

@@ -1,8 +1,7 @@
 /* Impacts of a model, of a simulation or of a measurement, and means of them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_IMPACTS_H
-#define ASP_ANALYSIS_IMPACTS_H
+#pragma once
 
 #include "base/tolerances.h"
 
@@ -79,5 +78,3 @@ void aspi_scatter_about(const aspi_scatter_row *row, int k, double center, doubl
 size_t aspi_merge_equal(void *items, size_t count, size_t size,
                         int (*compare)(const void *, const void *),
                         void (*add)(void *to, const void *more));
-
-#endif

@@ -4,8 +4,7 @@
  * rebound is specular, nothing sticks. The judge in three dimensions is in tests/sweep.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_JUDGE_H
-#define ASP_ANALYSIS_JUDGE_H
+#pragma once
 
 #include "analysis/angles.h"
 #include "asperity_internal.h"
@@ -76,5 +75,3 @@ double aspi_judge_first_hit(const aspi_first_hits *first, const asp_wall *wall, 
 
 /* Nanoseconds per impact, on one thread. */
 double aspi_judge_cost(const asp_wall *wall, double d_p, double degrees);
-
-#endif

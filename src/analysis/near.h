@@ -2,8 +2,7 @@
  * compared in a time of n log n.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_NEAR_H
-#define ASP_ANALYSIS_NEAR_H
+#pragma once
 
 #include "analysis/impacts.h"
 
@@ -35,5 +34,3 @@ void aspi_near_weigh(aspi_near *near, double each);
 /* Takes the rows that have a weight into `taken`, which has a place for each row, and sets all
  * weights to 0; returns how many. */
 size_t aspi_near_take(aspi_near *near, aspi_weighted *taken);
-
-#endif

@@ -2,8 +2,7 @@
  * differences of means, standard deviations and shares of deposits, near 1 for the true model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_SCORE_H
-#define ASP_ANALYSIS_SCORE_H
+#pragma once
 
 #include "analysis/angles.h"
 #include "analysis/near.h"
@@ -47,5 +46,3 @@ void aspi_score_add(aspi_score *score, const aspi_side *model, const aspi_side *
 /* NAN if no difference has a known standard error. The standard error is that of a quadratic
  * form of normal differences. */
 aspi_mean_error aspi_score_end(const aspi_score *score);
-
-#endif

@@ -5,8 +5,7 @@
  * scores, the derivatives of the log likelihoods. Later draws have mean ratio 1 and mean score 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_ANALYSIS_SENSITIVITY_H
-#define ASP_ANALYSIS_SENSITIVITY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -42,5 +41,3 @@ typedef struct aspi_derivative {
 } aspi_derivative;
 void aspi_sensitivity(const aspi_drawn *drawn, size_t n, int result, size_t grains,
                       aspi_derivative found[ASPI_PARTS]);
-
-#endif

@@ -2,8 +2,7 @@
  * be.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_ERROR_H
-#define ASP_BASE_ERROR_H
+#pragma once
 
 #include "asperity.h"
 
@@ -59,5 +58,3 @@ bool aspi_nearest_name(const char *name, const char *list, char meant[64]);
  * message of aspi_fail_unknown if it is not there. */
 int aspi_find_name(const char *what, const char *name, int count, const void *records,
                    asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* Lists that grow by doubling.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_GROW_H
-#define ASP_BASE_GROW_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -13,5 +12,3 @@ static inline void *aspi_grow(void *list, size_t count, size_t size) {
   bool is_full = (count & (count - 1)) == 0; /* 0, 1, 2, 4, 8, ... */
   return is_full ? realloc(list, (count ? 2 * count : 1) * size) : list;
 }
-
-#endif

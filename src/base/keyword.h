@@ -2,8 +2,7 @@
  * of a law. Parser, canonical text, messages, help, completion and fits all read these records.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_KEYWORD_H
-#define ASP_BASE_KEYWORD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -64,5 +63,3 @@ typedef struct aspi_keyword {
 static inline const char *aspi_keyword_word(const aspi_keyword *parameter) {
   return parameter->word ? parameter->word : parameter->name;
 }
-
-#endif

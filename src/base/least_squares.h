@@ -1,8 +1,7 @@
 /* Linear least squares of a few terms over any number of points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_LEAST_SQUARES_H
-#define ASP_BASE_LEAST_SQUARES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,5 +24,3 @@ bool aspi_least_squares_solve(aspi_least_squares *fit);
 
 /* The fitted value where the terms have the values t. */
 double aspi_least_squares_value(const aspi_least_squares *fit, const double *t);
-
-#endif

@@ -3,8 +3,7 @@
  * C and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_LEDGER_COLUMNS_H
-#define ASP_BASE_LEDGER_COLUMNS_H
+#pragma once
 
 #define LEDGER_COLUMNS(COLUMN)                                                                     \
   COLUMN(TAG, "tag", "i", "tag of the particle")                                                   \
@@ -66,5 +65,3 @@ enum {
   LEDGER_MORE_COLUMNS(LEDGER_PLACE) LEDGER_N_FULL
 };
 #undef LEDGER_PLACE
-
-#endif

@@ -3,8 +3,7 @@
  * Astrophys. 239, 443).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_MONOTONE_H
-#define ASP_BASE_MONOTONE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -22,5 +21,3 @@ static inline double aspi_cubic_piece(double h, double at, const double y[2], co
   double c3 = (t[0] + t[1] - 2 * chord) / (h * h), c2 = (3 * chord - 2 * t[0] - t[1]) / h;
   return y[0] + at * (t[0] + at * (c2 + at * c3));
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Numbers in text.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_NUMBER_H
-#define ASP_BASE_NUMBER_H
+#pragma once
 
 #include <stdarg.h>
 #include <stdbool.h>
@@ -39,6 +38,4 @@ char *aspi_count_format(double value, char to[ASPI_NUMBER_MOST]);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -1,8 +1,7 @@
 /* Running mean and variance (Welford 1962).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_RUNNING_H
-#define ASP_BASE_RUNNING_H
+#pragma once
 
 #include <math.h>
 
@@ -21,5 +20,3 @@ static inline void aspi_running_add(aspi_running *r, double x) {
 static inline double aspi_running_sd(const aspi_running *r) {
   return r->n > 1 ? sqrt(r->square / (r->n - 1)) : 0;
 }
-
-#endif

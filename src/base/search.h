@@ -1,8 +1,7 @@
 /* Binary search.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_SEARCH_H
-#define ASP_BASE_SEARCH_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,5 +19,3 @@ static inline size_t aspi_count_below(const void *items, size_t count, double va
   }
   return low;
 }
-
-#endif

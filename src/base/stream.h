@@ -2,8 +2,7 @@
  * counted by (tag, impact, block of two draws). Lives on the stack.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_STREAM_H
-#define ASP_BASE_STREAM_H
+#pragma once
 
 #include "asperity.h"
 
@@ -29,5 +28,3 @@ double aspi_stream_uniform(aspi_stream *stream);
 
 /* The next standard normal number of the stream (inverse transform, one uniform each). */
 double aspi_stream_normal(aspi_stream *stream);
-
-#endif

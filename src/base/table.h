@@ -6,8 +6,7 @@
  * key and value. The file is read as a stream.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_TABLE_H
-#define ASP_BASE_TABLE_H
+#pragma once
 
 #include "base/text.h"
 
@@ -98,5 +97,3 @@ asp_code aspi_table_parse_names(aspi_table *table, int least, asp_error *error);
 const char *aspi_cell_unit(const char *field);
 
 asp_code aspi_table_no_memory(const aspi_table *table, asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* A text file read as a stream: a line or a word at a time. And the numbers in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_TEXT_H
-#define ASP_BASE_TEXT_H
+#pragma once
 
 #include "asperity.h"
 
@@ -54,5 +53,3 @@ typedef enum aspi_word { ASP_WORD_NUMBER, ASP_WORD_MISSING, ASP_WORD_OTHER } asp
 /* Reads all of a text, blanks around it left out. A comma is a decimal point, or with `thousands`
  * one between groups of three digits; an exponent may begin with D (Fortran). */
 aspi_word aspi_text_number(const char *text, bool thousands, double *value);
-
-#endif

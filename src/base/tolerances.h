@@ -1,8 +1,7 @@
 /* Relative differences that count as rounding. C and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_TOLERANCES_H
-#define ASP_BASE_TOLERANCES_H
+#pragma once
 
 #include <math.h>
 
@@ -22,5 +21,3 @@
 static inline double aspi_quotient(double a, double b, double share, double whole) {
   return fabs(b) > share * whole ? a / b : NAN;
 }
-
-#endif

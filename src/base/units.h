@@ -1,8 +1,7 @@
 /* Units by name, and in the header of a text file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BASE_UNITS_H
-#define ASP_BASE_UNITS_H
+#pragma once
 
 #include "asperity.h"
 
@@ -52,5 +51,3 @@ static inline double aspi_degrees(double radians) {
 static inline double aspi_radians(double degrees) {
   return degrees * (ASP_PI / 180);
 }
-
-#endif

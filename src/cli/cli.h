@@ -5,8 +5,7 @@
  * stderr that names the option, its value and what it must be.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_H
-#define ASP_CLI_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "base/units.h"
@@ -193,5 +192,3 @@ bool cli_help_word(const char *name);
 /* Prints the words that may follow these of a command line, FILE for the name of a file: for the
  * shell's completion. */
 void cli_complete(const cli_command *const *commands, int count, char **words);
-
-#endif

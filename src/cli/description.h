@@ -5,8 +5,7 @@
  * suspicious input.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_DESCRIPTION_H
-#define ASP_CLI_DESCRIPTION_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "cli/cli.h"
@@ -67,5 +66,3 @@ cli_impact cli_impact_at(const cli_description *description, double d_p, double 
 /* The square of lambda_c across the lay over the correlation length along the flight; 1 without a
  * lay. */
 double cli_description_shrink(const cli_description *description, const asp_surface *surface);
-
-#endif

@@ -1,8 +1,7 @@
 /* The map of a wall for its picture; see map.c and map_picture.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_MAP_H
-#define ASP_CLI_MAP_H
+#pragma once
 
 #include "analysis/faces.h"
 #include "cli/cli.h"
@@ -23,5 +22,3 @@ typedef struct cli_map {
 
 /* Draws it as the options view and clip tell. */
 void cli_map_draw(const cli_call *call, const cli_map *map);
-
-#endif

@@ -2,8 +2,7 @@
  * coefficients of restitution: a row per impact, or per mean of some. Exits on a file that is none.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_SCATTER_H
-#define ASP_CLI_SCATTER_H
+#pragma once
 
 #include "analysis/impacts.h"
 #include "base/table.h"
@@ -137,5 +136,3 @@ aspi_scatter_row cli_scatter_row_of(const cli_scatter_form *form, const double v
   "in the plane of incidence, as one camera sees it; that in space is alpha2_space (0 to 90\n"     \
   "degrees from the wall), v2_space, cor_v_space and cor_alpha_space.\n"                           \
   "Rebounds that noise put below the wall are mirrored at it.\n"
-
-#endif

@@ -2,8 +2,7 @@
  * and measured maps (surface_map.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_CLI_SURFACE_H
-#define ASP_CLI_SURFACE_H
+#pragma once
 
 #include "cli/description.h"
 #include "readers/read.h"
@@ -21,5 +20,3 @@ typedef struct cli_measured {
  * on it. */
 void cli_surface_map(const cli_call *call, const cli_description *wall, const cli_measured *m,
                      const cli_list *sizes);
-
-#endif

@@ -6,8 +6,7 @@
  * true if there is a contact at or before it, and fill `touch` then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_CONTACT_H
-#define ASPERITY_CONTACT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -75,5 +74,4 @@ bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path
 
 #ifdef __cplusplus
 }
-#endif
 #endif

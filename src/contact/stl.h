@@ -4,8 +4,7 @@
  * are one mesh.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_STL_H
-#define ASPERITY_STL_H
+#pragma once
 
 #include "asperity.h"
 #include "contact/contact.h"
@@ -22,6 +21,4 @@ asp_code aspi_stl_read(const char *path, aspi_stl_taker *take, void *to, asp_err
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -1,8 +1,7 @@
 /* Tolerances of contacts: one name for each meaning. Lengths are in radii of the sphere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_TOLERANCES_H
-#define ASPERITY_TOLERANCES_H
+#pragma once
 
 #ifdef __cplusplus
 namespace asperity {
@@ -50,5 +49,4 @@ static const double NEAR = 0.01;
 
 #ifdef __cplusplus
 }
-#endif
 #endif

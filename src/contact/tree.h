@@ -2,8 +2,7 @@
  * a triangle for its nodes and about 30 for its number and the tree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_TREE_H
-#define ASPERITY_TREE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -72,5 +71,4 @@ double aspi_tree_distance(const ContactTree *tree, const double x[3], double mos
 
 #ifdef __cplusplus
 }
-#endif
 #endif

@@ -1,8 +1,7 @@
 /* The nodes of a tree of boxes, for the files that walk through it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_TREE_NODES_H
-#define ASPERITY_TREE_NODES_H
+#pragma once
 
 #include "contact/tree.h"
 
@@ -39,5 +38,3 @@ struct ContactTree {
   size_t count, n_nodes, n_ids, room;
   bool borrows; /* the lists are parts of a block that somebody else frees */
 };
-
-#endif

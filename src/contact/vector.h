@@ -1,8 +1,7 @@
 /* Vectors of three numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_VECTOR_H
-#define ASPERITY_VECTOR_H
+#pragma once
 
 #include <math.h>
 
@@ -44,5 +43,3 @@ static inline void aspi_scale(double s, double a[3]) {
 static inline double aspi_length(const double a[3]) {
   return sqrt(aspi_dot(a, a));
 }
-
-#endif

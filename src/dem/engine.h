@@ -1,8 +1,7 @@
 /* Interface to an engine: the functions that a wall calls at set-up and in each step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_ENGINE_H
-#define ASPERITY_DEM_ENGINE_H
+#pragma once
 
 #include <math.h>
 #include <mpi.h>
@@ -128,5 +127,3 @@ std::vector<double> gather_for_all(const std::vector<double> &mine, MPI_Comm wor
 std::string share(std::string text, MPI_Comm world);
 
 } // namespace asperity
-
-#endif

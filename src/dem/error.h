@@ -2,8 +2,7 @@
  * and shows it as an error of the engine.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_ERROR_H
-#define ASPERITY_DEM_ERROR_H
+#pragma once
 
 #include <new>
 #include <stdexcept>
@@ -37,5 +36,3 @@ inline std::string message_of(const std::exception &wrong) {
 }
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * is not the one compiled for would crash later and elsewhere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_LAUNCHER_H
-#define ASPERITY_DEM_LAUNCHER_H
+#pragma once
 
 #include <malloc.h>
 #include <mpi.h>
@@ -42,5 +41,3 @@ inline void check(const char *launcher, const std::string &wrong) {
 }
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * engine's particles and the lines for the log.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_MODEL_H
-#define ASPERITY_DEM_MODEL_H
+#pragma once
 
 #include <algorithm>
 #include <memory>
@@ -159,5 +158,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

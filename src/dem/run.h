@@ -3,8 +3,7 @@
  * one step: the first wall leads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_RUN_H
-#define ASPERITY_DEM_RUN_H
+#pragma once
 
 #include <stdio.h>
 #include <exception>
@@ -110,5 +109,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * Nothing here changes within a step but the shapes, which move.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_SETUP_H
-#define ASPERITY_DEM_SETUP_H
+#pragma once
 
 #include <memory>
 #include <string>
@@ -67,5 +66,3 @@ struct Setup {
 };
 
 } // namespace asperity
-
-#endif

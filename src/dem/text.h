@@ -1,8 +1,7 @@
 /* Texts, with numbers in the unit styles of the engines, and the words of a command.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_TEXT_H
-#define ASPERITY_DEM_TEXT_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -72,5 +71,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

@@ -6,8 +6,7 @@
  * through any number of contacts on any number of walls. All walls of a run are computed together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_WALL_H
-#define ASPERITY_DEM_WALL_H
+#pragma once
 
 #include <functional>
 #include <memory>
@@ -177,5 +176,3 @@ void check_ahead(const std::vector<Wall *> &walls, const Movers &movers);
 void end_walls(const std::vector<Wall *> &walls, Spheres spheres, Bodies *bodies = NULL);
 
 } // namespace asperity
-
-#endif

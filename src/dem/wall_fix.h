@@ -3,8 +3,7 @@
  * base class of its fixes. What needs no class of an engine is in run.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_WALL_FIX_H
-#define ASPERITY_DEM_WALL_FIX_H
+#pragma once
 
 #include <stdio.h>
 #include <string.h>
@@ -431,5 +430,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

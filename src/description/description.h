@@ -1,8 +1,7 @@
 /* A description: the words of a wall as they were read, and the table of keywords.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_DESCRIPTION_DESCRIPTION_H
-#define ASP_DESCRIPTION_DESCRIPTION_H
+#pragma once
 
 #include "base/keyword.h"
 #include "surface/describe.h"
@@ -115,5 +114,3 @@ asp_code aspi_description_check_curves(const asp_description *d, asp_error *erro
  * is nothing to read. *doubt: a warning about the file. */
 asp_code aspi_heights_read(const asp_description *d, asp_heights **heights, asp_error *doubt,
                            asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* The words of a description, read and written one after the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_DESCRIPTION_WORDS_H
-#define ASP_DESCRIPTION_WORDS_H
+#pragma once
 
 #include "base/error.h"
 #include "description/description.h"
@@ -127,5 +126,3 @@ void aspi_curve_write(aspi_line *line, const asp_description *d, const aspi_keyw
 asp_code aspi_names_read(aspi_words *words, const aspi_keyword *keyword);
 asp_code aspi_names_finish(aspi_words *words);
 void aspi_names_write(aspi_line *line, const asp_description *d, const aspi_keyword *keyword);
-
-#endif

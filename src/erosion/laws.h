@@ -2,8 +2,7 @@
  * and diameter. To add a law, write one file with its record and add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_EROSION_LAWS_H
-#define ASP_EROSION_LAWS_H
+#pragma once
 
 #include "rebound/laws.h"
 
@@ -48,5 +47,3 @@ void aspi_erosion_take(aspi_erosion *erosion, const aspi_erosion_law *law, const
  * material; 0: unknown. */
 double aspi_erosion_ratio(const aspi_erosion *erosion, double wall_density, double v, double sine,
                           double cosine, double d_p);
-
-#endif

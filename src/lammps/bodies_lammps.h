@@ -3,8 +3,7 @@
  * particles are there, or among the ghosts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_BODIES_LAMMPS_H
-#define LMP_BODIES_LAMMPS_H
+#pragma once
 
 #include <map>
 #include <string>
@@ -75,5 +74,3 @@ private:
 };
 
 } // namespace LAMMPS_NS
-
-#endif

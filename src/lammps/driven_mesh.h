@@ -2,8 +2,7 @@
  * meshes of their own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_LAMMPS_DRIVEN_MESH_H
-#define ASPERITY_LAMMPS_DRIVEN_MESH_H
+#pragma once
 
 #include <mpi.h>
 #include <functional>
@@ -98,5 +97,3 @@ std::unique_ptr<DrivenMesh> read_driven_mesh(MPI_Comm world, Words &words, int t
                                              const Drive::Variables &variables);
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * a fix's destructor may throw, which forbids a second virtual one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_ENGINE_LAMMPS_H
-#define LMP_ENGINE_LAMMPS_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -42,5 +41,3 @@ private:
 std::string check_library(LAMMPS *lammps);
 
 } // namespace LAMMPS_NS
-
-#endif

@@ -2,8 +2,7 @@
  * (.vtp), with the time, so that the maps of a run are a time series.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_LAMMPS_MAP_FILE_H
-#define ASPERITY_LAMMPS_MAP_FILE_H
+#pragma once
 
 #include <mpi.h>
 #include <cstdint>
@@ -41,5 +40,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

@@ -3,8 +3,7 @@
  * the end of each step, by variables; in between they are taken as linear in time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_REGION_PART_H
-#define LMP_REGION_PART_H
+#pragma once
 
 #include <vector>
 
@@ -102,5 +101,3 @@ private:
 };
 
 } // namespace LAMMPS_NS
-
-#endif

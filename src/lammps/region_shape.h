@@ -4,8 +4,7 @@
  * parts that a union hides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_REGION_SHAPE_H
-#define LMP_REGION_SHAPE_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -95,5 +94,3 @@ private:
 };
 
 } // namespace LAMMPS_NS
-
-#endif

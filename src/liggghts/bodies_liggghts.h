@@ -2,8 +2,7 @@
  * it; its spheres are there, as atoms or ghosts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_LIGGGHTS_BODIES_H
-#define ASPERITY_LIGGGHTS_BODIES_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -46,5 +45,3 @@ private:
 };
 
 } // namespace LAMMPS_NS
-
-#endif

@@ -2,8 +2,7 @@
  * servo).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef LMP_MESH_LIGGGHTS_H
-#define LMP_MESH_LIGGGHTS_H
+#pragma once
 
 #include <mpi.h>
 #include <array>
@@ -97,5 +96,3 @@ private:
 };
 
 } // namespace LAMMPS_NS
-
-#endif

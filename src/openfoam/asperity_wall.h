@@ -1,8 +1,7 @@
 /* The patch interaction model asperityWall, a template for all kinds of cloud.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_OPENFOAM_ASPERITY_WALL_H
-#define ASPERITY_OPENFOAM_ASPERITY_WALL_H
+#pragma once
 
 #include "PatchInteractionModel.H"
 #include "openfoam/compatibility.h"
@@ -157,5 +156,3 @@ bool asperityWall<CloudType>::correct(parcelType &p, const polyPatch &patch, boo
 }
 
 } // namespace Foam
-
-#endif

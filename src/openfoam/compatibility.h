@@ -2,8 +2,7 @@
  * 1912 or later, and of the Foundation's the version, 13.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_OPENFOAM_COMPATIBILITY_H
-#define ASPERITY_OPENFOAM_COMPATIBILITY_H
+#pragma once
 
 #include "OStringStream.H"
 #include "polyMesh.H"
@@ -70,5 +69,3 @@ protected:
 };
 
 } // namespace asperity
-
-#endif

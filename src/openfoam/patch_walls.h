@@ -2,8 +2,7 @@
  * fields on the patches, sums for the log, ledgers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_OPENFOAM_PATCH_WALLS_H
-#define ASPERITY_OPENFOAM_PATCH_WALLS_H
+#pragma once
 
 #include <memory>
 #include <set>
@@ -125,5 +124,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

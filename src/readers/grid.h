@@ -1,8 +1,7 @@
 /* Heights on a grid, as SDF, SUR and X3P have them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_READERS_GRID_H
-#define ASP_READERS_GRID_H
+#pragma once
 
 #include "readers/read.h"
 
@@ -31,5 +30,3 @@ double aspi_bytes_real(const unsigned char *bytes); /* of four bytes */
 double aspi_bytes_height(const unsigned char *bytes, int type);
 
 asp_code aspi_cut_short(const aspi_text *text, const char *what, asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* Units, steps and counts in the header of a measured file in text.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_READERS_HEAD_H
-#define ASP_READERS_HEAD_H
+#pragma once
 
 #include "base/table.h"
 
@@ -27,5 +26,3 @@ size_t aspi_head_count(const aspi_table *table, aspi_head_key key);
  * Wyko ASCII (heights in waves, or nm where the second number of its first line is 1; pixels in
  * mm), and Surfer's DSAA, which has the ranges of x and y, in `unit`. */
 void aspi_head_known(const aspi_table *table, double unit, double step[2], double *height);
-
-#endif

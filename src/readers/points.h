@@ -1,8 +1,7 @@
 /* Points of a measured wall as a file has them, and their places on a line or a grid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_READERS_POINTS_H
-#define ASP_READERS_POINTS_H
+#pragma once
 
 #include "readers/read.h"
 
@@ -30,5 +29,3 @@ asp_code aspi_points_line(aspi_points *points, const double unit[2], bool in_pla
                           asp_error *error);
 asp_code aspi_points_grid(const aspi_points *points, const double unit[2], aspi_raw *raw,
                           asp_error *error);
-
-#endif

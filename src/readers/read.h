@@ -1,8 +1,7 @@
 /* Shared by the readers of measured profiles and maps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_READERS_READ_H
-#define ASP_READERS_READ_H
+#pragma once
 
 #include "base/text.h"
 
@@ -147,5 +146,3 @@ double aspi_missing_note(aspi_missing *missing, double height, size_t line);
 
 /* ASP_EDATA if a known mark of missing heights is far outside the range of the others. */
 asp_code aspi_missing_check(const aspi_missing *missing, const char *path, asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* Tables of coefficients of restitution.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_REBOUND_COR_TABLE_H
-#define ASP_REBOUND_COR_TABLE_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -28,5 +27,3 @@ aspi_cor_table *aspi_cor_table_create(const aspi_cor_point *points, size_t count
 /* The coefficients at a speed and an impact angle (rad). No allocation, no failure. */
 void aspi_cor_table_at(const aspi_cor_table *table, double speed, double alpha1, double *cor_n,
                        double *cor_t);
-
-#endif

@@ -2,8 +2,7 @@
  * Young's modulus. To add a form of one, add its record to the table in heat.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_REBOUND_HEAT_H
-#define ASP_REBOUND_HEAT_H
+#pragma once
 
 #include "base/keyword.h"
 #include "rebound/materials.h"
@@ -63,5 +62,3 @@ double aspi_heat_share(const aspi_heat *heat, double kelvin);
 
 /* Gives a pair the modulus at this temperature. */
 void aspi_heat_soften(const aspi_heat *heat, double kelvin, asp_pair *pair);
-
-#endif

@@ -2,8 +2,7 @@
  * add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_REBOUND_LAWS_H
-#define ASP_REBOUND_LAWS_H
+#pragma once
 
 #include "base/keyword.h"
 #include "base/stream.h"
@@ -107,5 +106,3 @@ static inline aspi_bounce aspi_bounce_capped(const aspi_hit *hit, double cor_n, 
   t2 *= scale;
   return (aspi_bounce){n2, t2, 0, aspi_bounce_friction(hit, n2, t2)};
 }
-
-#endif

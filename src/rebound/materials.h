@@ -1,8 +1,7 @@
 /* Materials and pairs of them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_REBOUND_MATERIALS_H
-#define ASP_REBOUND_MATERIALS_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -40,5 +39,3 @@ void aspi_materials_free(aspi_materials *materials);
  * the presets. NULL and a message if there is none, or if your own file has the name twice. */
 const asp_material *aspi_materials_find(const aspi_materials *own, const char *name,
                                         asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* Removal of deposits by the shear of a flow.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_REBOUND_REMOVAL_H
-#define ASP_REBOUND_REMOVAL_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "rebound/materials.h"
@@ -30,5 +29,3 @@ double aspi_flow_rate(const aspi_flow *flow, const asp_particle *particle, doubl
 /* Rate of removal, and when the deposit goes: see asp_wall_removal. */
 asp_removal aspi_flow_removal(const aspi_flow *flow, const asp_particle *particle,
                               const asp_key *key);
-
-#endif

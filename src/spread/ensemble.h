@@ -2,8 +2,7 @@
  * phi_r from an ensemble of profiles (tests/tables/make_first_hits.c). Needs no set-up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_ENSEMBLE_H
-#define ASP_SPREAD_ENSEMBLE_H
+#pragma once
 
 #include "spread/models.h"
 
@@ -34,5 +33,3 @@ static inline double aspi_ensemble_kappa(int node) {
 static inline double aspi_ensemble_z(int node) {
   return 0.25 * (node - (ASP_ENSEMBLE_ZS - 1) / 2);
 }
-
-#endif

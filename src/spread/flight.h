@@ -1,8 +1,7 @@
 /* Flights of a sphere over a measured or generated wall, from one face to the next.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_FLIGHT_H
-#define ASP_SPREAD_FLIGHT_H
+#pragma once
 
 #include "surface/ball.h"
 
@@ -90,5 +89,3 @@ aspi_spot aspi_field_enter(const aspi_field *field, double u, double v);
  * when it leaves the wall. */
 bool aspi_field_next(const aspi_field *field, const double v[3], aspi_spot *spot,
                      double gradient[2]);
-
-#endif

@@ -1,8 +1,7 @@
 /* The standard normal distribution by the C library.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_GAUSS_H
-#define ASP_SPREAD_GAUSS_H
+#pragma once
 
 #include <math.h>
 
@@ -16,5 +15,3 @@ static inline double aspi_gauss_density(double x) {
 static inline double aspi_gauss_below(double x) {
   return 0.5 * erfc(-x * M_SQRT1_2);
 }
-
-#endif

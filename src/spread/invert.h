@@ -4,8 +4,7 @@
  * steps is bounded, and it cannot fail.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_INVERT_H
-#define ASP_SPREAD_INVERT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -20,5 +19,3 @@ typedef struct aspi_node {
  */
 double aspi_invert(aspi_node (*at)(const void *parameters, double x, bool upper),
                    const void *parameters, double lo, double hi, double guess, double u);
-
-#endif

@@ -2,8 +2,7 @@
  * record and add one line here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_MODELS_H
-#define ASP_SPREAD_MODELS_H
+#pragma once
 
 #include "base/stream.h"
 #include "spread/flight.h"
@@ -123,5 +122,3 @@ aspi_weibull aspi_weibull_at(double sigma, double alpha1);
 double aspi_truncated_density(const aspi_spread_input *view, double delta);
 double aspi_truncated_distribution(const aspi_spread_input *view, double delta);
 double aspi_truncated_quantile(const aspi_spread_input *view, double u);
-
-#endif

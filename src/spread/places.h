@@ -1,8 +1,7 @@
 /* The places of a row by height, slope and curvature, for a flight that turns on an isotropic wall.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_PLACES_H
-#define ASP_SPREAD_PLACES_H
+#pragma once
 
 #include "spread/flight.h"
 
@@ -29,5 +28,3 @@ void aspi_row_places_free(aspi_row_places *places);
  * Returns how much `slope` exceeds the slope of that place. */
 double aspi_row_places_move(const aspi_row_places *places, const aspi_field *row, double slope,
                             bool bends_alike, aspi_spot *spot, bool *back);
-
-#endif

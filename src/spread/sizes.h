@@ -1,8 +1,7 @@
 /* The diameters that a wall is prepared for.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SPREAD_SIZES_H
-#define ASP_SPREAD_SIZES_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "base/stream.h"
@@ -24,5 +23,3 @@ int aspi_sizes_draw(const aspi_sizes *sizes, double d_p, aspi_stream *stream);
 
 /* The nearest bin. */
 int aspi_sizes_nearest(const aspi_sizes *sizes, double d_p);
-
-#endif

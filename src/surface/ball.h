@@ -1,8 +1,7 @@
 /* A sphere on a map.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_BALL_H
-#define ASP_SURFACE_BALL_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -37,5 +36,3 @@ aspi_touch aspi_ball_at(aspi_ball_search *search, double x, double y);
 
 /* Center height over one grid point. sampled: use grid points only, no interpolation. */
 aspi_touch aspi_ball_touch(const aspi_ball *ball, size_t column, size_t row, bool sampled);
-
-#endif

@@ -1,8 +1,7 @@
 /* A measured wall in numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_DESCRIBE_H
-#define ASP_SURFACE_DESCRIBE_H
+#pragma once
 
 #include "surface/heights.h"
 
@@ -26,5 +25,3 @@ asp_surface *aspi_surface_create_map(const asp_heights_numbers *numbers, bool la
 /* The rms and the skewness of n gradients p, q to the right of the lay and along it. */
 void aspi_gradient_describe(const float *p, const float *q, size_t n, double lay, double rms[2],
                             double skewness[2]);
-
-#endif

@@ -1,8 +1,7 @@
 /* Heights of a wall inside the core.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_HEIGHTS_H
-#define ASP_SURFACE_HEIGHTS_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -78,5 +77,3 @@ void aspi_smooth(double *data, size_t n, double spacing, double width);
  * with the positive sign. `room` is for aspi_fft2_room(rows) numbers. */
 size_t aspi_fft2_room(size_t rows);
 void aspi_fft2(double *data, size_t columns, size_t rows, bool backward, double *room);
-
-#endif

@@ -1,8 +1,7 @@
 /* A Gaussian wall from the numbers that instruments print.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_INSTRUMENT_H
-#define ASP_SURFACE_INSTRUMENT_H
+#pragma once
 
 /* R_q of R_a. */
 double aspi_r_q_of_r_a(double r_a);
@@ -29,5 +28,3 @@ double aspi_lambda_of_r_sm(double r_sm, double sampling);
 static inline double aspi_r_sm_share(double sampling) {
   return aspi_r_sm_factor(sampling) / sampling;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Discs that roll over a profile.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_ROLLING_H
-#define ASP_SURFACE_ROLLING_H
+#pragma once
 
 #include "surface/heights.h"
 
@@ -20,5 +19,3 @@ asp_heights *aspi_profile_path(const asp_heights *profile, double d_p, size_t mo
 /* The deepest that the edge of the disc reaches (closing): the path of a disc that rolls below the
  * path. */
 asp_heights *aspi_profile_closed(const asp_heights *profile, double d_p, asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* The slope of a wall over particle size and direction, for the core.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_SIZE_LAW_H
-#define ASP_SURFACE_SIZE_LAW_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -56,5 +55,3 @@ void aspi_surface_gaussian(const asp_surface *surface, double d_p, double *r_q, 
 
 /* A copy; NULL when out of memory. */
 asp_surface *aspi_surface_copy(const asp_surface *surface);
-
-#endif

@@ -1,8 +1,7 @@
 /* Slopes that particles find on a profile, and how far they are from a normal distribution.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SURFACE_SLOPES_H
-#define ASP_SURFACE_SLOPES_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -40,5 +39,3 @@ typedef struct aspi_slopes {
 
 asp_code aspi_profile_describe_slopes(const asp_heights *profile, double d_p, aspi_slopes *slopes,
                                       asp_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* The impulse that a face gives to a body at one point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_BODY_H
-#define ASP_WALL_BODY_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "wall/frame.h"
@@ -16,5 +15,3 @@ vec aspi_body_kick(const asp_body *body, vec arm, vec impulse);
 /* The impulse of a face of unit normal m, for a velocity u of that point that approaches it (u.m <
  * 0): with the energetic restitution e and Coulomb's friction. */
 vec aspi_body_impulse(const asp_body *body, vec arm, vec m, vec u, double e, double friction);
-
-#endif

@@ -1,8 +1,7 @@
 /* Vectors, and the frame of a contact: the wall's normal, and the velocity along the wall.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_FRAME_H
-#define ASP_WALL_FRAME_H
+#pragma once
 
 #include "base/tolerances.h"
 
@@ -84,5 +83,3 @@ static inline bool clearly_leaves(vec v, vec n) {
   double sum = fabs(v.x * n.x) + fabs(v.y * n.y) + fabs(v.z * n.z);
   return dot(v, n) > 4 * DBL_EPSILON * sum;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* One face, and one hit on it, of a sphere or of a body.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_HIT_H
-#define ASP_WALL_HIT_H
+#pragma once
 
 #include "wall/roughness.h"
 
@@ -47,5 +46,3 @@ static inline double aspi_hit_eroded(const asp_wall *wall, const asp_particle *p
                                      const frame *f, vec m) {
   return wall->erosion.tilted ? aspi_hit_erosion(wall, particle, f, m) : 0;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* One contact, over all the faces that it hits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_IMPACT_H
-#define ASP_WALL_IMPACT_H
+#pragma once
 
 #include "wall/frame.h"
 #include "wall/wall.h"
@@ -50,5 +49,3 @@ asp_code aspi_impact_of_grain(const asp_wall *wall, bool rough, const asp_partic
 /* The message of the code of an impact. */
 asp_code aspi_fail_impact(const asp_wall *wall, asp_code code, const asp_particle *particle,
                           asp_error *error);
-
-#endif

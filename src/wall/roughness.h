@@ -6,8 +6,7 @@
  * beta p plus a normal number that does not depend on the profile (derived for this project).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_ROUGHNESS_H
-#define ASP_WALL_ROUGHNESS_H
+#pragma once
 
 #include "wall/frame.h"
 #include "wall/wall.h"
@@ -60,5 +59,3 @@ aspi_valley_table aspi_roughness_valleys(const aspi_roughness *rough, aspi_headi
  * on summits, and a grazing one on the highest of these: 1 - 0.19 tanh(2 kappa) exp(-2.3 a) (fitted
  * for this project to dilations of isotropic surfaces, phi_r 0.05 and 0.125, kappa 0.05 to 4). */
 double aspi_grazing(double a, double kappa);
-
-#endif

@@ -2,8 +2,7 @@
  * (the rolled heights), for spheres that stay at the wall. Gaussian walls have closed forms.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_VALLEYS_H
-#define ASP_WALL_VALLEYS_H
+#pragma once
 
 #include "spread/models.h"
 
@@ -32,5 +31,3 @@ void aspi_valleys_free(aspi_valleys *valleys);
 
 /* For the nearest of the diameters; azimuth as in aspi_spread_input, NULL: all directions. */
 aspi_valley_table aspi_valleys_at(const aspi_valleys *valleys, double d_p, const double *azimuth);
-
-#endif

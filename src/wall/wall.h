@@ -1,8 +1,7 @@
 /* A wall as its contacts read it, and the choice that it is made of.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_WALL_WALL_H
-#define ASP_WALL_WALL_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "erosion/laws.h"
@@ -83,5 +82,3 @@ void aspi_wall_replace(asp_wall *wall, asp_wall *by);
 
 /* Replaces the law, deposit and erosion settings; keeps the surface and its tables. */
 void aspi_wall_take_law(asp_wall *wall, const aspi_wall_choice *choice);
-
-#endif

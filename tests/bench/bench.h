@@ -2,8 +2,7 @@
  * all of them alike, and lines of the table that tests/bench/run prints. C11, and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BENCH_H
-#define ASP_BENCH_H
+#pragma once
 
 #include <stddef.h>
 #include <stdio.h>
@@ -136,5 +135,3 @@ static inline void bench_ratio_row(const char *what, const bench_work *work, con
   else
     printf("%s\t%.3g %s\t-\t-\n", what, bench_ratio(work, unit), times);
 }
-
-#endif

@@ -2,8 +2,7 @@
  * of its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_BENCH_PEERS_H
-#define ASP_BENCH_PEERS_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "spread/models.h"
@@ -37,5 +36,4 @@ double bench_pinv_quantile(const bench_pinv *pinv, double u);
 
 #ifdef __cplusplus
 }
-#endif
 #endif

@@ -2,8 +2,7 @@
  * --instr-atstart=no and --collect-atstart=no; without valgrind nothing is counted. C11, and C++.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_COST_COUNT_H
-#define ASP_COST_COUNT_H
+#pragma once
 
 #include <stdio.h>
 #include <valgrind/callgrind.h>
@@ -35,5 +34,3 @@ static inline void count_other(const char *what, const char *kind, double number
   printf("\nCOUNT %.0f\t%s: %s\n", number, what, kind);
   fflush(stdout);
 }
-
-#endif

@@ -3,8 +3,7 @@
  * z = 0 after 5 to 75 % of the steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_COST_JET_H
-#define ASP_COST_JET_H
+#pragma once
 
 #include <math.h>
 #include <random>
@@ -43,5 +42,3 @@ inline std::vector<JetGrain> jet_grains() {
   }
   return all;
 }
-
-#endif

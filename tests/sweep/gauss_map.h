@@ -1,8 +1,7 @@
 /* Generated Gaussian maps, for tests.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SWEEP_GAUSS_MAP_H
-#define ASP_SWEEP_GAUSS_MAP_H
+#pragma once
 
 #include "surface/heights.h"
 
@@ -16,5 +15,3 @@ typedef struct gauss_wall {
  * same seed gives the same map. NULL: out of memory. */
 asp_heights *gauss_map_create(const gauss_wall *wall, const double step[2], size_t columns,
                               size_t rows, uint32_t seed, asp_error *error);
-
-#endif

@@ -2,8 +2,7 @@
  * analysis/judge.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SWEEP_JUDGE_3D_H
-#define ASP_SWEEP_JUDGE_3D_H
+#pragma once
 
 #include "analysis/judge.h"
 #include "gauss_map.h"
@@ -61,5 +60,3 @@ typedef struct line_spot {
 /* Points of first hit for the given places in the beam: shares of a period from 0 to 1,
  * ascending. */
 void line_hits(const line *over, double fall, const double *share, size_t count, line_spot *spots);
-
-#endif

@@ -1,8 +1,7 @@
 /* Random inputs of the sweeps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_SWEEP_RANDOM_H
-#define ASP_SWEEP_RANDOM_H
+#pragma once
 
 #include "asperity_internal.h"
 #include "base/stream.h"
@@ -38,5 +37,3 @@ static inline asp_pair random_pair(aspi_stream *s) {
   asp_pair_free(made);
   return pair;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* A wall without an engine: what an engine would tell it, and grains that fly by its steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_TEST_ALONE_H
-#define ASPERITY_TEST_ALONE_H
+#pragma once
 
 #include <mpi.h>
 #include <algorithm>
@@ -204,5 +203,3 @@ struct GrainsAtWall {
 };
 
 } // namespace asperity
-
-#endif

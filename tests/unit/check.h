@@ -3,8 +3,7 @@
  * (cmocka's own is of floats); and walls from words.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_TEST_CHECK_H
-#define ASP_TEST_CHECK_H
+#pragma once
 
 #include "asperity_internal.h"
 
@@ -56,5 +55,3 @@ static inline asp_wall *wall_from(const char *text, double d_p) {
     fail_msg("'%s': %s", text, error.text);
   return wall;
 }
-
-#endif

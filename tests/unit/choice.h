@@ -1,8 +1,7 @@
 /* Walls that a test chooses part by part, by the names of models, laws and parameters.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASP_TEST_CHOICE_H
-#define ASP_TEST_CHOICE_H
+#pragma once
 
 #include "check.h"
 #include "wall/wall.h"
@@ -29,5 +28,3 @@ static inline asp_wall *wall_of(const aspi_wall_choice *choice) {
   assert_non_null(wall);
   return wall;
 }
-
-#endif

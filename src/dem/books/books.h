@@ -2,8 +2,7 @@
  * triangles, and its ledger. Every load comes through add_load().
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_BOOKS_H
-#define ASPERITY_DEM_BOOKS_H
+#pragma once
 
 #include <functional>
 #include <memory>
@@ -183,5 +182,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

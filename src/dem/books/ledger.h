@@ -3,8 +3,7 @@
  * time, particle and impact, so that the file does not depend on the number of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_LEDGER_H
-#define ASPERITY_DEM_LEDGER_H
+#pragma once
 
 #include <mpi.h>
 #include <stdint.h>
@@ -84,5 +83,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

@@ -3,8 +3,7 @@
  * fails, the file is cut back to the last row before them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_LEDGER_FILE_H
-#define ASPERITY_DEM_LEDGER_FILE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -112,5 +111,3 @@ struct PrintedRows {
 };
 
 } // namespace asperity
-
-#endif

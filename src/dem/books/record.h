@@ -3,8 +3,7 @@
  * files.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_RECORD_H
-#define ASPERITY_DEM_RECORD_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -57,5 +56,3 @@ void check_record_size(uint64_t bytes);
 WallState unpack(const char *bytes, size_t available = SIZE_MAX);
 
 } // namespace asperity
-
-#endif

@@ -3,8 +3,7 @@
  * however long the step is, as long as the mesh turns by less than a quarter of a turn in it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_MESH_H
-#define ASPERITY_DEM_MESH_H
+#pragma once
 
 #include <memory>
 #include <vector>
@@ -146,5 +145,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

@@ -5,8 +5,7 @@
  * velocities to first order only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_MOTION_H
-#define ASPERITY_DEM_MOTION_H
+#pragma once
 
 #include <string>
 
@@ -101,5 +100,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

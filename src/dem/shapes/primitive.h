@@ -1,8 +1,7 @@
 /* Planes and cylinders as walls. Either may move along itself.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_PRIMITIVE_H
-#define ASPERITY_DEM_PRIMITIVE_H
+#pragma once
 
 #include <math.h>
 #include <memory>
@@ -85,5 +84,3 @@ private:
 std::unique_ptr<Shape> read_primitive(Words &words, std::string &geometry);
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_SHAPE_H
-#define ASPERITY_DEM_SHAPE_H
+#pragma once
 
 #include <math.h>
 #include <stddef.h>
@@ -170,5 +169,3 @@ protected:
 };
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * for many steps and are skipped until then.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_AHEAD_H
-#define ASPERITY_DEM_AHEAD_H
+#pragma once
 
 #include <vector>
 
@@ -74,5 +73,3 @@ private:
 };
 
 } // namespace asperity
-
-#endif

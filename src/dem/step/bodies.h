@@ -3,8 +3,7 @@
  * stretches of path between which it turns by a tenth of a radian at most.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_BODIES_H
-#define ASPERITY_DEM_BODIES_H
+#pragma once
 
 #include <mpi.h>
 #include <unordered_map>
@@ -128,5 +127,3 @@ private:
 void claim_bodies(const std::vector<Wall *> &walls, Bodies &bodies, MPI_Comm world);
 
 } // namespace asperity
-
-#endif

@@ -3,8 +3,7 @@
  * spheres take straight stretches. A drawing is in the README of dem.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_FLIGHT_H
-#define ASPERITY_DEM_FLIGHT_H
+#pragma once
 
 #include <vector>
 
@@ -176,5 +175,3 @@ void leave_rests(const std::vector<Wall *> &walls, const Mover &mover);
 void note_energy(const Flight &flight);
 
 } // namespace asperity
-
-#endif

@@ -19,8 +19,7 @@
  * center: there `arm` ends at that, and |p_t| <= hold p_n. A ball loses its spin there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_HELD_H
-#define ASPERITY_DEM_HELD_H
+#pragma once
 
 #include <stddef.h>
 #include <vector>
@@ -90,5 +89,3 @@ inline void Held::set(const Mover &mover, double slope) {
 }
 
 } // namespace asperity
-
-#endif

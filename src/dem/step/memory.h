@@ -3,8 +3,7 @@
  * rows: those that per-atom output shows. They are 0 at first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_MEMORY_H
-#define ASPERITY_DEM_MEMORY_H
+#pragma once
 
 #include <mpi.h>
 #include <stddef.h>
@@ -212,5 +211,3 @@ static_assert(sizeof(Rebound) <= sizeof(Stuck),
               "the longest list is that of a stuck or resting one");
 
 } // namespace asperity
-
-#endif

@@ -2,8 +2,7 @@
  * about its center of mass; such a one is a ball, for which closed forms hold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef ASPERITY_DEM_MOVER_H
-#define ASPERITY_DEM_MOVER_H
+#pragma once
 
 #include "contact/vector.h"
 #include "dem/step/bodies.h"
@@ -291,5 +290,3 @@ inline void Movers::push(const Mover &mover, const double a[3], const double alp
 void multiply(const double m[6], const double a[3], double out[3]);
 
 } // namespace asperity
-
-#endif
