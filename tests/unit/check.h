@@ -24,9 +24,16 @@ extern "C" {
 void list_test(const char *name, CMUnitTestFunction run, CMFixtureFunction before,
                CMFixtureFunction after);
 int run_listed_tests(CMFixtureFunction before, CMFixtureFunction after);
+
+/* Calls a function with each row of a section of a table of data/. There '[name] remark' begins a
+ * section, and fields are parted by '@'; one that is not there is empty. CHECK_ROWS does so with
+ * the section that has the test's name. */
+enum { FIELDS = 5 };
+void each_row(const char *table, const char *section, void (*check)(char *fields[FIELDS]));
 #ifdef __cplusplus
 }
 #endif
+#define CHECK_ROWS(table, check) each_row(table, __func__, check)
 
 /* Defines a test and adds it to the list; TEST_BETWEEN runs it between two functions that set up
  * and clean up. */
@@ -47,6 +54,22 @@ static inline void check_near(double is, double should, double tolerance, const 
   _fail(file, line);
 }
 #define assert_near(is, should, tolerance) check_near(is, should, tolerance, __FILE__, __LINE__)
+
+/* Fails unless the text has these words. */
+static inline void check_says(const char *text, const char *words, const char *file, int line) {
+  if (strstr(text, words))
+    return;
+  print_error("'%s' is not in '%s'\n", words, text);
+  _fail(file, line);
+}
+#ifdef __cplusplus
+#include <string>
+static inline void check_says(const std::string &text, const std::string &words, const char *file,
+                              int line) {
+  check_says(text.c_str(), words.c_str(), file, line);
+}
+#endif
+#define assert_says(text, words) check_says(text, words, __FILE__, __LINE__)
 
 static inline asp_wall *wall_from(const char *text, double d_p) {
   asp_error error;

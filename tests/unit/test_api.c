@@ -241,9 +241,9 @@ TEST(a_broken_description_stays_so) {
   assert_int_equal(asp_description_read(d, 2, words, NULL, &taken, &error), ASP_EARG);
   words[1] = "3";
   assert_int_equal(asp_description_read(d, 2, words, NULL, &taken, &error), ASP_EARG);
-  assert_non_null(strstr(error.text, "seed is 'x'"));
+  assert_says(error.text, "seed is 'x'");
   assert_int_equal(asp_description_check(d, &error), ASP_EARG);
   assert_null(asp_wall_create(d, 0, 0, &error));
-  assert_non_null(strstr(error.text, "seed is 'x'"));
+  assert_says(error.text, "seed is 'x'");
   asp_description_free(d);
 }

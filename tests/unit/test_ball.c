@@ -200,6 +200,6 @@ TEST(bad_maps_are_refused) {
   asp_error error;
   asp_heights *map = gauss(1, 0, 0.1, 0.1, 128, 256, 1);
   assert_null(aspi_ball_create(map, 13, &error));
-  assert_non_null(strstr(error.text, "d_p is 13; it must be"));
+  assert_says(error.text, "d_p is 13; it must be");
   asp_heights_free(map);
 }

@@ -28,21 +28,30 @@ static double worn(const char *words, const asp_units *units, double v, double a
 
 #define is_near(value, expected, tolerance) assert_near(value, expected, (tolerance)*fabs(expected))
 
+/* F of DNV from what pysand's tests have of bends, probes and welds by the same practice, in mm per
+ * ton of sand: 0.014322 (an example of the practice itself), 0.255158, 0.070741 and 0.021628; and
+ * its F at 90 degrees. Their geometry and speed are divided out. */
+TEST(dnv_is_that_of_other_programs) {
+  static const double table[][2] = {
+      {28.1255057, 0.980002}, {30, 0.98894}, {50, 0.924728}, {60, 0.825322}, {90, 0.6}};
+  for (int i = 0; i < 5; i++)
+    is_near(worn("erosion dnv" WALTON, NULL, 30, table[i][0], 1e-4, 1),
+            2e-9 * pow(30, 2.6) * table[i][1], 5e-5);
+}
+
+/* No figure or table of these sources was at hand: Finnie's forms are typed again, and the
+ * polynomial of ECRC at 10 degrees is evaluated by another program. */
 TEST(laws_have_their_closed_forms) {
-  const double a = 10 * ASP_PI / 180, b = 60 * ASP_PI / 180;
+  const double a = 10 * ASP_PI / 180, b = 60 * ASP_PI / 180, unit = 7800 * 2500 / 4e9;
   const char *finnie = "erosion finnie 1GPa density 7800" WALTON;
-  is_near(worn(finnie, NULL, 50, 10, 1e-4, 1),
-          7800 * 2500 / 4e9 * (sin(2 * a) - 3 * sin(a) * sin(a)), 1e-12);
-  is_near(worn(finnie, NULL, 50, 60, 1e-4, 1), 7800 * 2500 / 4e9 * cos(b) * cos(b) / 3, 1e-12);
+  is_near(worn(finnie, NULL, 50, 10, 1e-4, 1), unit * (sin(2 * a) - 3 * sin(a) * sin(a)), 1e-12);
+  is_near(worn(finnie, NULL, 50, 60, 1e-4, 1), unit * cos(b) * cos(b) / 3, 1e-12);
   /* at the angle where both branches meet */
-  is_near(worn(finnie, NULL, 50, atan(1.0 / 3) * 180 / ASP_PI, 1e-4, 1), 7800 * 2500 / 4e9 * 0.3,
-          1e-9);
+  is_near(worn(finnie, NULL, 50, atan(1.0 / 3) * 180 / ASP_PI, 1e-4, 1), unit * 0.3, 1e-9);
   is_near(worn("erosion finnie 1GPa share 0.1 density 7800" WALTON, NULL, 50, 60, 1e-4, 1),
-          0.1 * 7800 * 2500 / 4e9 * cos(b) * cos(b) / 3, 1e-12);
-  is_near(worn("erosion dnv" WALTON, NULL, 30, 60, 1e-4, 1), 2e-9 * pow(30, 2.6) * 0.8253466255,
-          1e-9); /* F by hand */
+          0.1 * unit * cos(b) * cos(b) / 3, 1e-12);
   is_near(worn("erosion ecrc 120 grains semi_rounded" WALTON, NULL, 30, 10, 1e-4, 1),
-          2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) * 0.6869760235, 1e-9); /* F by hand */
+          2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) * 0.6869760235, 1e-9);
 }
 
 /* At its reference speed and diameter a law of Oka is K (a H)^(k1 b) at normal impact, where
@@ -71,7 +80,8 @@ TEST(oka_has_its_reference) {
           6.154e-4 * pow(2, 2.35) * pow(sine, 0.8) * pow(1 + h * (1 - sine), 1.3), 1e-5);
 }
 
-/* The constants of each kind of particles, and of each form of grains, away from the references. */
+/* The constants of each kind of particles, and of each form of grains, away from the references;
+ * by the forms in the laws' heads, evaluated by another program. */
 TEST(kinds_have_their_constants) {
   static const struct {
     const char *name;
@@ -126,22 +136,14 @@ TEST(faces_wear_more_at_grazing) {
   assert_true(sum / 400 > 1.2 * smooth);
 }
 
+static void refuses(char *row[]) {
+  asp_error error = {.code = ASP_OK};
+  assert_null(asp_description_parse(row[0], NULL, &error));
+  assert_says(error.text, row[1]);
+}
+
 TEST(words_are_checked) {
-  static const char *const bad[][2] = {
-      {"erosion oka 1GPa" WALTON, "density"},
-      {"erosion dnc density 7800" WALTON, "dnv"},
-      {"erosion finnie density 7800" WALTON, "flow_stress"},
-      {"erosion ecrc 120 grains wet density 7800" WALTON, "semi_rounded"},
-      {"erosion finnie 1GPa share 1.5 density 7800" WALTON, "share is 1.5; it must be 0 to 1"},
-      {"erosion oka 1GPa a_b 2 density 7800" WALTON, "b is 'density'"},
-      {"erosion oka 1GPa wall brass density 7800" WALTON, "aluminum"},
-      {"erosion dnv density 7800 face steep" WALTON, "mean | tilted"}};
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    asp_error error = {.code = ASP_OK};
-    assert_null(asp_description_parse(bad[i][0], NULL, &error));
-    if (!strstr(error.text, bad[i][1]))
-      fail_msg("'%s' says '%s'", bad[i][0], error.text);
-  }
+  CHECK_ROWS("descriptions.txt", refuses);
 }
 
 /* The density in the words goes before that of the wall's material, which serves without one. */
@@ -159,23 +161,21 @@ TEST(density_is_that_of_the_wall) {
           density * volume, 1e-12);
 }
 
+static void comes_back(char *row[]) {
+  char once[1000], twice[1000];
+  asp_description *first = asp_description_parse(row[0], NULL, NULL);
+  assert_non_null(first);
+  asp_description_text(first, once, sizeof once);
+  asp_description *again = asp_description_parse(once, NULL, NULL);
+  assert_non_null(again);
+  asp_description_text(again, twice, sizeof twice);
+  assert_string_equal(once, twice);
+  is_near(worn(once, NULL, 40, 35, 2e-4, 1), worn(row[0], NULL, 40, 35, 2e-4, 1), 1e-12);
+  asp_description_free(first);
+  asp_description_free(again);
+}
+
 /* The canonical text gives the same wall. */
 TEST(text_comes_back) {
-  static const char *const texts[] = {
-      "erosion oka 1.8GPa particles sic n1 0.8 density 7850 face tilted" WALTON,
-      "erosion oka 0.4GPa wall aluminum a_b 2 -3 density 2700" WALTON,
-      "erosion ecrc 120 grains round c 3e-7 density 7850" WALTON};
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-    char once[1000], twice[1000];
-    asp_description *first = asp_description_parse(texts[i], NULL, NULL);
-    assert_non_null(first);
-    asp_description_text(first, once, sizeof once);
-    asp_description *again = asp_description_parse(once, NULL, NULL);
-    assert_non_null(again);
-    asp_description_text(again, twice, sizeof twice);
-    assert_string_equal(once, twice);
-    is_near(worn(once, NULL, 40, 35, 2e-4, 1), worn(texts[i], NULL, 40, 35, 2e-4, 1), 1e-12);
-    asp_description_free(first);
-    asp_description_free(again);
-  }
+  CHECK_ROWS("descriptions.txt", comes_back);
 }

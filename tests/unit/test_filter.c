@@ -58,6 +58,6 @@ TEST(length_must_fit_the_profile) {
     asp_error error;
     set_waves();
     assert_int_equal(aspi_filter(heights, POINTS, SPACING, cases[i], &error), ASP_EARG);
-    assert_non_null(strstr(error.text, i ? "lambda_s is 8001" : "lambda_s is 0.9"));
+    assert_says(error.text, i ? "lambda_s is 8001" : "lambda_s is 0.9");
   }
 }

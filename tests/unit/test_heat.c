@@ -46,7 +46,7 @@ TEST(shares_by_hand) {
   asp_error error;
   for (double kelvin = 1099; kelvin < 1500; kelvin += 302) {
     assert_int_equal(asp_wall_sticking(wall, kelvin, NULL, &error), ASP_ERANGE);
-    assert_non_null(strstr(error.text, "from 1100 to 1400 K"));
+    assert_says(error.text, "from 1100 to 1400 K");
   }
   asp_wall_free(wall);
 }
@@ -115,7 +115,7 @@ TEST(unknown_is_an_error) {
   for (int i = 0; i < 2; i++) {
     const asp_particle one = {.d_p = 1e-5, .density = 2650, .temperature = none[i]};
     assert_int_equal(asp_wall_impacts(wall, 1, &one, v, up, &key, &impact, &error), ASP_ERANGE);
-    assert_non_null(strstr(error.text, i ? "more than 500 K" : "must be more than 0"));
+    assert_says(error.text, i ? "more than 500 K" : "must be more than 0");
     assert_memory_equal(impact.v2, v, sizeof v);
   }
   asp_wall_free(wall);

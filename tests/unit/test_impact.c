@@ -435,7 +435,7 @@ TEST(a_pair_is_needed) {
   asp_description *words = asp_description_parse("", NULL, NULL);
   assert_null(asp_wall_create(words, 0, 0, &error));
   assert_int_equal(error.code, ASP_EARG);
-  assert_non_null(strstr(error.text, "materials needs two names (particle, wall), got 0"));
+  assert_says(error.text, "materials needs two names (particle, wall), got 0");
   asp_description_expect_pairs(words);
   asp_wall *wall = asp_wall_create(words, 0, 0, &error);
   asp_description_free(words);
@@ -448,7 +448,7 @@ TEST(a_pair_is_needed) {
   assert_memory_equal(impact.v2, v1, sizeof v1);
   assert_memory_equal(impact.omega, bare.omega, sizeof bare.omega);
   assert_int_equal(asp_wall_impacts(wall, 1, &bare, v1, up, &key, &impact, &error), ASP_EARG);
-  assert_non_null(strstr(error.text, "'bons' needs a pair"));
+  assert_says(error.text, "'bons' needs a pair");
   asp_wall_free(wall);
 }
 

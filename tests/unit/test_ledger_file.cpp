@@ -47,11 +47,6 @@ static void assert_written(const std::string &why) {
   assert_string_equal(why.c_str(), "");
 }
 
-static void assert_says(const std::string &text, const std::string &word) {
-  if (text.find(word) == std::string::npos)
-    fail_msg("'%s' is not in '%s'", word.c_str(), text.c_str());
-}
-
 /* A grain that slides has no CoR_N: nan in the array, nothing in the file. */
 TEST(slides) {
   const double v1[3] = {2, 0, 0}, n[3] = {0, 0, 1};

@@ -81,7 +81,7 @@ TEST(fast_turns) {
     check_turn("mesh 'm'", -1.58);
     assert_true(false);
   } catch (const Error &wrong) {
-    assert_non_null(strstr(wrong.what(), "mesh 'm' turns by 90.53 degrees in a step"));
+    assert_says(wrong.what(), "mesh 'm' turns by 90.53 degrees in a step");
   }
 }
 

@@ -77,11 +77,6 @@ static std::string wrong_of(const std::vector<char> &record, size_t length, size
   return "";
 }
 
-static void assert_says(const std::string &text, const std::string &word) {
-  if (text.find(word) == std::string::npos)
-    fail_msg("'%s' is not in '%s'", word.c_str(), text.c_str());
-}
-
 /* The engine does not tell how long the record is. */
 TEST(flipped) {
   const std::vector<char> good = example_record();

@@ -167,7 +167,7 @@ TEST(bad_diameters_are_named) {
     asp_error error;
     assert_null(aspi_profile_path(p, bad[i], 1000, &error));
     assert_int_equal(error.code, ASP_EARG);
-    assert_non_null(strstr(error.text, "d_p is"));
+    assert_says(error.text, "d_p is");
   }
   asp_heights_free(p);
 }

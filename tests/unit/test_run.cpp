@@ -118,7 +118,7 @@ TEST(steps_must_not_go_back) {
       s.wall->set_dt(s.grains.now, dt);
       assert_true(false);
     } catch (const Error &wrong) {
-      assert_non_null(strstr(wrong.what(), "it must be >= 0"));
+      assert_says(wrong.what(), "it must be >= 0");
     }
   }
 }
@@ -146,7 +146,7 @@ TEST(commands_free_what_they_move) {
   s.grains.put(0, {0, 0, 0.8}, {0.1, 0, 0});
   s.wall->begin_run(s.grains.spheres(), 1, Box());
   s.wall->free_displaced(s.grains.spheres(), 0);
-  assert_non_null(strstr(s.engine.warned.c_str(), "moved from their place: 1"));
+  assert_says(s.engine.warned.c_str(), "moved from their place: 1");
   s.grains.fly(10);
   assert_true(s.wall->stuck() == 1 && s.wall->rows.is_stuck(1));
   assert_true(near(s.grains.x[0], 0.1, 1e-12) && near(s.grains.x[3], 3, 0));
@@ -293,7 +293,7 @@ TEST(blown_up_velocities_are_told) {
       s.grains.fly(1);
       assert_true(false);
     } catch (const Error &wrong) {
-      assert_non_null(strstr(wrong.what(), "the velocity of particle 1 is"));
+      assert_says(wrong.what(), "the velocity of particle 1 is");
     }
   }
 }

@@ -101,7 +101,7 @@ TEST(depths_that_no_grain_reaches_do_not_count) {
   asp_description_set_heights(d, map, NULL);
   asp_description_expect_pairs(d);
   assert_null(asp_wall_create(d, 0, 0, &error)); /* no diameter: everything counts */
-  assert_non_null(strstr(error.text, "phi_r"));
+  assert_says(error.text, "phi_r");
   asp_heights_free(map);
   asp_description_free(d);
 }
