@@ -76,14 +76,14 @@ aspi_angles *aspi_judge_model_rebounds(const aspi_judge_case *subject, const asp
 static double share_between(const asp_wall *wall, double d_p, double alpha1, double low,
                             double high) {
   double slope = asp_surface_slope(wall->surface, d_p);
-  aspi_spread_input view = {.slope = slope,
-                            .sigma = atan(slope),
-                            .alpha1 = alpha1,
-                            .d_p = d_p,
-                            .data = wall->data,
-                            .phi_r = asp_surface_phi_r(wall->surface),
-                            .kappa = asp_surface_kappa(wall->surface, d_p)};
-  return wall->spread->distribution(&view, high) - wall->spread->distribution(&view, low);
+  aspi_spread_input input = {.slope = slope,
+                             .sigma = atan(slope),
+                             .alpha1 = alpha1,
+                             .d_p = d_p,
+                             .data = wall->data,
+                             .phi_r = asp_surface_phi_r(wall->surface),
+                             .kappa = asp_surface_kappa(wall->surface, d_p)};
+  return wall->spread->distribution(&input, high) - wall->spread->distribution(&input, low);
 }
 
 double aspi_judge_first_hit(const aspi_first_hits *first, const asp_wall *wall, double d_p,

@@ -18,21 +18,21 @@ enum { SAMPLES_MOST = 100000000 };
 typedef struct scene {
   cli_description wall;
   const asp_spread_model *model;
-  aspi_spread_input view;
+  aspi_spread_input input;
   bool by_size; /* the wall is more than a sigma */
 } scene;
 
-static double draw(const scene *s, const aspi_spread_input *view, uint64_t sample) {
+static double draw(const scene *s, const aspi_spread_input *input, uint64_t sample) {
   aspi_stream stream = aspi_stream_begin(
       &(asp_key){asp_wall_seed(s->wall.wall), asp_key_wall("spread"), sample, 1, 0});
   double delta;
-  if (!aspi_spread_draw(s->model, view, &stream, &delta))
+  if (!aspi_spread_draw(s->model, input, &stream, &delta))
     cli_fail("model '%s' found no face for alpha1 = %g degrees", s->model->name,
-             aspi_degrees(view->alpha1));
+             aspi_degrees(input->alpha1));
   return delta;
 }
 
-static aspi_spread_input view_of(const cli_description *wall, double d_p) {
+static aspi_spread_input input_of(const cli_description *wall, double d_p) {
   const asp_surface *surface = asp_wall_surface(wall->wall);
   if (!surface)
     return aspi_spread_input_of(0, 0);
@@ -40,19 +40,19 @@ static aspi_spread_input view_of(const cli_description *wall, double d_p) {
   double part = cli_description_shrink(wall, surface);
   double slope =
       lay ? aspi_surface_slope_along(surface, d_p, part) : asp_surface_slope(surface, d_p);
-  aspi_spread_input view = aspi_spread_input_of(atan(slope), 0);
-  view.kappa = asp_surface_kappa(surface, d_p) * part;
-  view.phi_r = asp_surface_phi_r(surface) * sqrt(part);
-  view.d_p = d_p;
-  view.has_azimuth = lay;
-  view.azimuth = lay ? ASP_PI / 2 - atan2(lay[1], lay[0]) : 0;
-  return view;
+  aspi_spread_input input = aspi_spread_input_of(atan(slope), 0);
+  input.kappa = asp_surface_kappa(surface, d_p) * part;
+  input.phi_r = asp_surface_phi_r(surface) * sqrt(part);
+  input.d_p = d_p;
+  input.has_azimuth = lay;
+  input.azimuth = lay ? ASP_PI / 2 - atan2(lay[1], lay[0]) : 0;
+  return input;
 }
 
 /* A diameter for a wall that is the same for all of them. */
 #define ANY_SIZE 1e-5
 
-/* The view's impact angle is still to come. */
+/* The input's impact angle is still to come. */
 static scene scene_of(const cli_call *call) {
   const cli_option *dp = cli_get(call, "dp");
   scene s = {.wall = cli_description_read(call->n_words, call->words, false)};
@@ -63,34 +63,35 @@ static scene scene_of(const cli_call *call) {
   s.wall.words->choice.isotropic = false;
   cli_description_make(&s.wall, d_p, d_p);
   s.model = asp_wall_spread(s.wall.wall);
-  s.view = view_of(&s.wall, d_p);
-  s.view.data = s.wall.wall->data;
+  s.input = input_of(&s.wall, d_p);
+  s.input.data = s.wall.wall->data;
   return s;
 }
 
-static void print_density(FILE *out, const asp_spread_model *model, const aspi_spread_input *view) {
+static void print_density(FILE *out, const asp_spread_model *model,
+                          const aspi_spread_input *input) {
   fputs("delta_alpha_deg,density_per_deg\n", out);
   for (int i = -900; i <= 900; i++) {
-    double density = model->density(view, aspi_radians(0.1 * i)) * ASP_PI / 180;
+    double density = model->density(input, aspi_radians(0.1 * i)) * ASP_PI / 180;
     if (density > 0)
       fprintf(out, "%.1f,%.8g\n", 0.1 * i, density);
   }
 }
 
-static void print_summary(FILE *out, const asp_spread_model *model, const aspi_spread_input *view,
+static void print_summary(FILE *out, const asp_spread_model *model, const aspi_spread_input *input,
                           double *sample, size_t n) {
   const double mean = gsl_stats_mean(sample, 1, n), sd = n > 1 ? gsl_stats_sd(sample, 1, n) : 0;
   gsl_sort(sample, 1, n);
-  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, aspi_degrees(view->alpha1), mean,
+  fprintf(out, "%s,%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", model->name, aspi_degrees(input->alpha1), mean,
           sd, gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.05),
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.5),
           gsl_stats_quantile_from_sorted_data(sample, 1, n, 0.95));
 }
 
-static void draw_sample(double *sample, size_t n, const scene *s, const aspi_spread_input *view) {
+static void draw_sample(double *sample, size_t n, const scene *s, const aspi_spread_input *input) {
   cli_progress progress = cli_progress_begin("sampling", (double)n);
   for (size_t i = 0; i < n; i++) {
-    sample[i] = aspi_degrees(draw(s, view, i));
+    sample[i] = aspi_degrees(draw(s, input, i));
     if (i % 65536 == 0)
       cli_progress_show(&progress, (double)i);
   }
@@ -98,16 +99,16 @@ static void draw_sample(double *sample, size_t n, const scene *s, const aspi_spr
 }
 
 static void one_angle(FILE *out, const cli_call *call, const scene *s, double angle, size_t n) {
-  aspi_spread_input view = s->view;
-  view.alpha1 = aspi_radians(angle);
+  aspi_spread_input input = s->input;
+  input.alpha1 = aspi_radians(angle);
   if (cli_value(call, "pdf")) {
-    print_density(out, s->model, &view);
+    print_density(out, s->model, &input);
     return;
   }
   double *sample = cli_allocate(n, sizeof *sample);
-  draw_sample(sample, n, s, &view);
+  draw_sample(sample, n, s, &input);
   if (cli_value(call, "summary"))
-    print_summary(out, s->model, &view, sample, n);
+    print_summary(out, s->model, &input, sample, n);
   for (size_t i = 0; i < n && !cli_value(call, "summary"); i++)
     fprintf(out, "%.8g\n", sample[i]);
   free(sample);

@@ -78,10 +78,10 @@ static double quadrature(const variate *w, double from, double to) {
   return result;
 }
 
-static variate variate_at(const aspi_spread_input *view) {
-  double sigma = view->sigma, lo = -view->alpha1 / sigma, hi = ASP_DELTA_MOST / sigma;
-  variate w = {view->alpha1, sigma, lo, hi, 0};
-  if (view->alpha1 < 0) {
+static variate variate_at(const aspi_spread_input *input) {
+  double sigma = input->sigma, lo = -input->alpha1 / sigma, hi = ASP_DELTA_MOST / sigma;
+  variate w = {input->alpha1, sigma, lo, hi, 0};
+  if (input->alpha1 < 0) {
     w.hi = fmin(hi, lo + 76 / (sqrt(lo * lo + 76) + lo));
     w.mass = quadrature(&w, lo, w.hi);
   } else {
@@ -113,14 +113,14 @@ static aspi_node at(const void *of, double x, bool upper) {
   return p;
 }
 
-static double density(const aspi_spread_input *view, double delta) {
-  variate w = variate_at(view);
+static double density(const aspi_spread_input *input, double delta) {
+  variate w = variate_at(input);
   double x = delta / w.sigma;
   return x > w.lo && x < w.hi ? at(&w, x, false).density / w.sigma : 0;
 }
 
-static double distribution(const aspi_spread_input *view, double delta) {
-  variate w = variate_at(view);
+static double distribution(const aspi_spread_input *input, double delta) {
+  variate w = variate_at(input);
   double x = delta / w.sigma;
   if (!(x > w.lo))
     return 0;
@@ -128,13 +128,13 @@ static double distribution(const aspi_spread_input *view, double delta) {
 }
 
 /* Starts from the quantile of `visible`, which is the limit for small sigma. */
-static double quantile(const aspi_spread_input *view, double u) {
-  if (view->sigma < ASP_SIGMA_ZERO)
+static double quantile(const aspi_spread_input *input, double u) {
+  if (input->sigma < ASP_SIGMA_ZERO)
     return 0;
-  variate w = variate_at(view);
-  double guess = aspi_spread_visible.quantile(view, u) / w.sigma;
+  variate w = variate_at(input);
+  double guess = aspi_spread_visible.quantile(input, u) / w.sigma;
   double x = aspi_invert(at, &w, fmax(w.lo, -FAR), fmin(w.hi, fmax(w.lo, 0) + FAR), guess, u);
-  return fmin(fmax(x * w.sigma, -view->alpha1), ASP_DELTA_MOST);
+  return fmin(fmax(x * w.sigma, -input->alpha1), ASP_DELTA_MOST);
 }
 
 const asp_spread_model aspi_spread_effective = {

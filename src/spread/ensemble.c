@@ -20,7 +20,7 @@ _Static_assert(sizeof slope / sizeof *slope ==
 /* Larger a are normal impact. */
 #define A_MOST 1e6
 
-/* Quantiles of one view: a weighted mean over the nodes around it in a, kappa and phi_r. */
+/* Quantiles of one input: a weighted mean over the nodes around it in a, kappa and phi_r. */
 typedef struct variate {
   int corners; /* 4 where phi_r is that of a node, else 8 */
   const float *corner[8];
@@ -49,13 +49,13 @@ static int phi_below(double phi_r, double *part) {
   return i;
 }
 
-static variate variate_at(const aspi_spread_input *view) {
-  variate w = {.a = fmin(tan(view->alpha1) / view->slope, A_MOST)};
+static variate variate_at(const aspi_spread_input *input) {
+  variate w = {.a = fmin(tan(input->alpha1) / input->slope, A_MOST)};
   double at_a = (ASP_ENSEMBLE_AS - 1) * (w.a / (1 + w.a));
-  double at_kappa = fmin(2 * log2(1 + 8 * view->kappa), ASP_ENSEMBLE_KAPPAS - 1);
+  double at_kappa = fmin(2 * log2(1 + 8 * input->kappa), ASP_ENSEMBLE_KAPPAS - 1);
   int a = step_of(at_a, ASP_ENSEMBLE_AS), kappa = step_of(at_kappa, ASP_ENSEMBLE_KAPPAS);
   double part_a = at_a - a, part_kappa = at_kappa - kappa, part_phi;
-  int phi = phi_below(view->phi_r, &part_phi);
+  int phi = phi_below(input->phi_r, &part_phi);
   w.corners = part_phi > 0 ? 8 : 4;
   for (int k = 0; k < w.corners; k++) {
     int row = (phi + k / 4) * ASP_ENSEMBLE_KAPPAS + kappa + k / 2 % 2;
@@ -100,14 +100,14 @@ static double slope_at(const variate *w, double z, double *rise) {
   return cubic(y, at - i, rise);
 }
 
-static double quantile(const aspi_spread_input *view, double u) {
-  if (view->alpha1 < 0)
-    return aspi_spread_visible.quantile(view, u);
-  if (view->sigma < ASP_SIGMA_ZERO)
+static double quantile(const aspi_spread_input *input, double u) {
+  if (input->alpha1 < 0)
+    return aspi_spread_visible.quantile(input, u);
+  if (input->sigma < ASP_SIGMA_ZERO)
     return 0;
-  variate w = variate_at(view);
+  variate w = variate_at(input);
   double rise, x = slope_at(&w, gsl_cdf_ugaussian_Pinv(u), &rise);
-  return fmax(atan(x * view->slope), -view->alpha1);
+  return fmax(atan(x * input->slope), -input->alpha1);
 }
 
 /* The z at which the quantile is x. */
@@ -120,26 +120,26 @@ static double z_of(const variate *w, double x) {
   return 0.5 * (low + high);
 }
 
-static double distribution(const aspi_spread_input *view, double delta) {
-  if (view->alpha1 < 0)
-    return aspi_spread_visible.distribution(view, delta);
-  if (delta <= -view->alpha1 || delta <= -ASP_DELTA_MOST)
+static double distribution(const aspi_spread_input *input, double delta) {
+  if (input->alpha1 < 0)
+    return aspi_spread_visible.distribution(input, delta);
+  if (delta <= -input->alpha1 || delta <= -ASP_DELTA_MOST)
     return 0;
   if (delta >= ASP_DELTA_MOST)
     return 1;
-  variate w = variate_at(view);
-  return aspi_gauss_below(z_of(&w, tan(delta) / view->slope));
+  variate w = variate_at(input);
+  return aspi_gauss_below(z_of(&w, tan(delta) / input->slope));
 }
 
-static double density(const aspi_spread_input *view, double delta) {
-  if (view->alpha1 < 0)
-    return aspi_spread_visible.density(view, delta);
-  if (delta <= -view->alpha1 || fabs(delta) >= ASP_DELTA_MOST)
+static double density(const aspi_spread_input *input, double delta) {
+  if (input->alpha1 < 0)
+    return aspi_spread_visible.density(input, delta);
+  if (delta <= -input->alpha1 || fabs(delta) >= ASP_DELTA_MOST)
     return 0;
-  variate w = variate_at(view);
-  double p = tan(delta), rise, z = z_of(&w, p / view->slope);
+  variate w = variate_at(input);
+  double p = tan(delta), rise, z = z_of(&w, p / input->slope);
   slope_at(&w, z, &rise);
-  return rise > 0 ? aspi_gauss_density(z) / rise * (1 + p * p) / view->slope : 0;
+  return rise > 0 ? aspi_gauss_density(z) / rise * (1 + p * p) / input->slope : 0;
 }
 
 const asp_spread_model aspi_spread_profile = {

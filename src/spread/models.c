@@ -32,11 +32,11 @@ aspi_spread_input aspi_spread_input_of(double sigma, double alpha1) {
       .slope = tan(sigma), .sigma = sigma, .alpha1 = alpha1, .phi_r = tan(sigma) / sqrt(2)};
 }
 
-bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *view,
+bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *input,
                       aspi_stream *stream, double *delta) {
   aspi_path path = {0};
   if (!model->quantile)
-    return model->follow(view, stream, &path, delta);
-  *delta = model->quantile(view, aspi_stream_uniform(stream));
+    return model->follow(input, stream, &path, delta);
+  *delta = model->quantile(input, aspi_stream_uniform(stream));
   return true;
 }

@@ -45,7 +45,7 @@ typedef struct aspi_height_field {
   bool in_space; /* the profile represents an isotropic wall */
 } aspi_height_field;
 
-/* A view for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
+/* An input for models that need no more than sigma (0 <= sigma < pi/2) and alpha1. */
 aspi_spread_input aspi_spread_input_of(double sigma, double alpha1);
 
 /* A spread model: the distribution of the tilt delta_alpha of the face that is hit. Each is cut to
@@ -60,17 +60,17 @@ struct asp_spread_model {
   bool covers_rising;  /* also covers particles that fly up: faces with delta > -alpha1; otherwise
                           `visible` covers them */
   /* Density in 1/rad and distribution at delta; NULL for `none`. */
-  double (*density)(const aspi_spread_input *view, double delta);
-  double (*distribution)(const aspi_spread_input *view, double delta);
+  double (*density)(const aspi_spread_input *input, double delta);
+  double (*distribution)(const aspi_spread_input *input, double delta);
   /* The delta at which the distribution is u, 0 < u < 1; NULL if the model follows particles. */
-  double (*quantile)(const aspi_spread_input *view, double u);
+  double (*quantile)(const aspi_spread_input *input, double u);
   /* Makes aspi_spread_input.data out of the heights of a wall, NULL on error, and frees it; NULL
    * where none is needed. */
   void *(*prepare)(const aspi_height_field *of, const aspi_sizes *sizes, asp_error *error);
   void (*release)(void *data);
-  /* The delta of the next face on the way of a particle that flies at view->alpha1, first or later;
-   * false when it leaves the wall. NULL for models without positions. */
-  bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+  /* The delta of the next face on the way of a particle that flies at input->alpha1, first or
+   * later; false when it leaves the wall. NULL for models without positions. */
+  bool (*follow)(const aspi_spread_input *input, aspi_stream *stream, aspi_path *path,
                  double *delta);
   /* The heights over which it follows those of a diameter, over the map or over each profile; NULL:
    * there is no such part. NULL for models without positions. */
@@ -79,7 +79,7 @@ struct asp_spread_model {
 
 /* One delta of the model, from the stream: a first face where it follows particles; false if there
  * is none. */
-bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *view,
+bool aspi_spread_draw(const asp_spread_model *model, const aspi_spread_input *input,
                       aspi_stream *stream, double *delta);
 
 #define ASP_SPREAD_MODELS(X)                                                                       \
@@ -119,6 +119,6 @@ typedef struct aspi_weibull {
 aspi_weibull aspi_weibull_at(double sigma, double alpha1);
 
 /* The law that `truncated` and `rejection` share. */
-double aspi_truncated_density(const aspi_spread_input *view, double delta);
-double aspi_truncated_distribution(const aspi_spread_input *view, double delta);
-double aspi_truncated_quantile(const aspi_spread_input *view, double u);
+double aspi_truncated_density(const aspi_spread_input *input, double delta);
+double aspi_truncated_distribution(const aspi_spread_input *input, double delta);
+double aspi_truncated_quantile(const aspi_spread_input *input, double u);

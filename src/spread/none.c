@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-static double quantile(const aspi_spread_input *view, double u) {
-  (void)view;
+static double quantile(const aspi_spread_input *input, double u) {
+  (void)input;
   (void)u;
   return 0;
 }

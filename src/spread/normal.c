@@ -5,18 +5,18 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-static double density(const aspi_spread_input *view, double delta) {
-  return aspi_cut_normal_density(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
+static double density(const aspi_spread_input *input, double delta) {
+  return aspi_cut_normal_density(input->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
 }
 
-static double distribution(const aspi_spread_input *view, double delta) {
-  return aspi_cut_normal_distribution(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
+static double distribution(const aspi_spread_input *input, double delta) {
+  return aspi_cut_normal_distribution(input->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, delta);
 }
 
-static double quantile(const aspi_spread_input *view, double u) {
-  if (view->sigma < ASP_SIGMA_ZERO)
+static double quantile(const aspi_spread_input *input, double u) {
+  if (input->sigma < ASP_SIGMA_ZERO)
     return 0;
-  return aspi_cut_normal_quantile(view->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, u);
+  return aspi_cut_normal_quantile(input->sigma, -ASP_DELTA_MOST, ASP_DELTA_MOST, u);
 }
 
 const asp_spread_model aspi_spread_normal = {

@@ -160,15 +160,15 @@ static int choose(const relief *wall, int count, double *u) {
 }
 
 /* Puts the particle over the wall; over generated profiles, in either direction. */
-static void enter(const fields *t, const aspi_spread_input *view, aspi_stream *stream,
+static void enter(const fields *t, const aspi_spread_input *input, aspi_stream *stream,
                   aspi_path *path) {
   double u = aspi_stream_uniform(stream), v = 0;
   path->begun = true;
-  path->field = t->fields * aspi_sizes_draw(&t->sizes, view->d_p, stream);
+  path->field = t->fields * aspi_sizes_draw(&t->sizes, input->d_p, stream);
   if (t->is_map) {
     v = aspi_stream_uniform(stream);
-    path->azimuth = view->has_azimuth ? t->lay - ASP_PI / 2 + view->azimuth
-                                      : 2 * ASP_PI * aspi_stream_uniform(stream);
+    path->azimuth = input->has_azimuth ? t->lay - ASP_PI / 2 + input->azimuth
+                                       : 2 * ASP_PI * aspi_stream_uniform(stream);
   } else if (t->generated) {
     int way = (int)(4 * u);
     u = 4 * u - way;
@@ -187,21 +187,21 @@ static double move(const relief *wall, aspi_stream *stream, aspi_path *path) {
   return aspi_row_places_move(&wall->places, &wall->field, slope, alike, &path->spot, &path->back);
 }
 
-static bool trace_hit(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+static bool trace_hit(const aspi_spread_input *input, aspi_stream *stream, aspi_path *path,
                       double *delta) {
-  const fields *t = view->data;
+  const fields *t = input->data;
   double shear =
       0; /* added to all slopes, so that the particle leaves the new face at the same angle */
   if (!path->begun)
-    enter(t, view, stream, path);
+    enter(t, input, stream, path);
   else if (t->moves)
     shear = move(&t->wall[path->field], stream, path);
   else
     path->azimuth += path->turn;
   const aspi_field *field = &t->wall[path->field].field;
   double x = t->is_map ? cos(path->azimuth) : path->back ? -1 : 1;
-  double y = t->is_map ? sin(path->azimuth) : 0, along = cos(view->alpha1),
-         fall = sin(view->alpha1);
+  double y = t->is_map ? sin(path->azimuth) : 0, along = cos(input->alpha1),
+         fall = sin(input->alpha1);
   if (!path->spot.lies)
     fall = fmax(fall, field->fall_least * along);
   double gradient[2];

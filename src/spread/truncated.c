@@ -4,18 +4,18 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/models.h"
 
-double aspi_truncated_density(const aspi_spread_input *view, double delta) {
-  return aspi_cut_normal_density(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
+double aspi_truncated_density(const aspi_spread_input *input, double delta) {
+  return aspi_cut_normal_density(input->sigma, -input->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-double aspi_truncated_distribution(const aspi_spread_input *view, double delta) {
-  return aspi_cut_normal_distribution(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, delta);
+double aspi_truncated_distribution(const aspi_spread_input *input, double delta) {
+  return aspi_cut_normal_distribution(input->sigma, -input->alpha1 / 2, ASP_DELTA_MOST, delta);
 }
 
-double aspi_truncated_quantile(const aspi_spread_input *view, double u) {
-  if (view->sigma < ASP_SIGMA_ZERO)
+double aspi_truncated_quantile(const aspi_spread_input *input, double u) {
+  if (input->sigma < ASP_SIGMA_ZERO)
     return 0;
-  return aspi_cut_normal_quantile(view->sigma, -view->alpha1 / 2, ASP_DELTA_MOST, u);
+  return aspi_cut_normal_quantile(input->sigma, -input->alpha1 / 2, ASP_DELTA_MOST, u);
 }
 
 const asp_spread_model aspi_spread_truncated = {

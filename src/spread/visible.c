@@ -49,8 +49,8 @@ static double mills_gap(double t) {
   return sum;
 }
 
-static variate variate_at(const aspi_spread_input *view) {
-  variate w = {.a = tan(view->alpha1) / view->slope};
+static variate variate_at(const aspi_spread_input *input) {
+  variate w = {.a = tan(input->alpha1) / input->slope};
   if (w.a < 0) {
     w.a = fmax(w.a, A_LEAST);
     w.z = mills_gap(-w.a);
@@ -159,29 +159,29 @@ static double up_quantile(const variate *w, double u) {
   return t + aspi_invert(up_at, w, 0, (r2 + 16) * length, r2 * length * (1 + t / (1 + t)), u);
 }
 
-static double density(const aspi_spread_input *view, double delta) {
-  variate w = variate_at(view);
-  double p = tan(delta), y = p / view->slope + w.a;
+static double density(const aspi_spread_input *input, double delta) {
+  variate w = variate_at(input);
+  double p = tan(delta), y = p / input->slope + w.a;
   if (!(y > 0) || delta >= ASP_DELTA_MOST)
     return 0;
-  return at(&w, p / view->slope).density * (1 + p * p) / view->slope;
+  return at(&w, p / input->slope).density * (1 + p * p) / input->slope;
 }
 
-static double distribution(const aspi_spread_input *view, double delta) {
-  variate w = variate_at(view);
-  double x = tan(delta) / view->slope;
+static double distribution(const aspi_spread_input *input, double delta) {
+  variate w = variate_at(input);
+  double x = tan(delta) / input->slope;
   if (delta <= -ASP_DELTA_MOST || !(x > -w.a))
     return 0;
   return delta >= ASP_DELTA_MOST ? 1 : fmax(0, at(&w, x).share);
 }
 
-static double quantile(const aspi_spread_input *view, double u) {
-  if (view->sigma < ASP_SIGMA_ZERO)
+static double quantile(const aspi_spread_input *input, double u) {
+  if (input->sigma < ASP_SIGMA_ZERO)
     return 0;
-  variate w = variate_at(view);
+  variate w = variate_at(input);
   double x = w.a < 0 ? up_quantile(&w, u) : down_quantile(&w, u);
-  double delta = atan(x * view->slope);
-  return delta > -view->alpha1 ? delta : -view->alpha1;
+  double delta = atan(x * input->slope);
+  return delta > -input->alpha1 ? delta : -input->alpha1;
 }
 
 const asp_spread_model aspi_spread_visible = {

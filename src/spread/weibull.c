@@ -35,16 +35,16 @@ static double lost_beyond(aspi_weibull w) {
   return exp(-pow((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
 }
 
-static double density(const aspi_spread_input *view, double delta) {
-  aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
+static double density(const aspi_spread_input *input, double delta) {
+  aspi_weibull w = aspi_weibull_at(input->sigma, input->alpha1);
   if (delta <= w.b || delta > ASP_DELTA_MOST)
     return 0;
   double y = (delta - w.b) / w.lambda;
   return w.k / w.lambda * pow(y, w.k - 1) * exp(-pow(y, w.k)) / (1 - lost_beyond(w));
 }
 
-static double distribution(const aspi_spread_input *view, double delta) {
-  aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
+static double distribution(const aspi_spread_input *input, double delta) {
+  aspi_weibull w = aspi_weibull_at(input->sigma, input->alpha1);
   if (delta <= w.b)
     return 0;
   if (delta >= ASP_DELTA_MOST)
@@ -53,10 +53,10 @@ static double distribution(const aspi_spread_input *view, double delta) {
 }
 
 /* In the upper half by the share above, which for u near 1 keeps its digits. */
-static double quantile(const aspi_spread_input *view, double u) {
-  if (view->sigma < ASP_SIGMA_ZERO)
+static double quantile(const aspi_spread_input *input, double u) {
+  if (input->sigma < ASP_SIGMA_ZERO)
     return 0;
-  aspi_weibull w = aspi_weibull_at(view->sigma, view->alpha1);
+  aspi_weibull w = aspi_weibull_at(input->sigma, input->alpha1);
   double lost = lost_beyond(w);
   double power = u < 0.5 ? -log1p(u * (lost - 1)) : -log((1 - u) + u * lost);
   return fmin(w.b + w.lambda * pow(power, 1 / w.k), ASP_DELTA_MOST);

@@ -14,8 +14,8 @@ static vec draw_lever(const asp_wall *wall, double sd, vec omega, double v_n, ve
   vec turning = cross(n, omega), other[2];
   double rate = sqrt(dot(turning, turning));
   turning = rate > 0 ? scaled(turning, 1 / rate) : across(n);
-  aspi_spread_input view = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
-  double delta = wall->rising->quantile(&view, aspi_stream_uniform(stream));
+  aspi_spread_input input = {.slope = 1, .sigma = ASP_PI / 4, .alpha1 = atan2(v_n, sd * rate)};
+  double delta = wall->rising->quantile(&input, aspi_stream_uniform(stream));
   other[0] = plus(scaled(n, aspi_stream_normal(stream)), -tan(delta), turning);
   return scaled(plus(other[0], aspi_stream_normal(stream), cross(n, turning)), sd);
 }

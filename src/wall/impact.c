@@ -42,9 +42,9 @@ static void choose_direction(const aspi_roughness *rough, frame *f, aspi_stream 
     f->along = rough->across;
 }
 
-/* Local roughness at this incidence: the view of the spread models, and the slopes. */
+/* Local roughness at this incidence: the input of the spread models, and the slopes. */
 typedef struct incidence {
-  aspi_spread_input view;
+  aspi_spread_input input;
   aspi_slopes_along slopes;
 } incidence;
 
@@ -61,16 +61,16 @@ static incidence incidence_at(const aspi_roughness *rough, aspi_heading heading,
     if (!wall->spread->geometry)
       slope *= fabs(rough->shrink - 1) > 0 ? aspi_grazing(a, out.slopes.kappa) : across;
   }
-  out.view = (aspi_spread_input){.slope = slope,
-                                 .sigma = atan(slope),
-                                 .alpha1 = alpha1,
-                                 .d_p = rough->particle->d_p,
-                                 .data = wall->data,
-                                 .kappa = out.slopes.kappa,
-                                 .phi_r = out.slopes.phi_r,
-                                 .has_azimuth = aspi_roughness_has_lay(rough)};
-  if (out.view.has_azimuth)
-    out.view.azimuth = -atan2(heading.sine, heading.cosine);
+  out.input = (aspi_spread_input){.slope = slope,
+                                  .sigma = atan(slope),
+                                  .alpha1 = alpha1,
+                                  .d_p = rough->particle->d_p,
+                                  .data = wall->data,
+                                  .kappa = out.slopes.kappa,
+                                  .phi_r = out.slopes.phi_r,
+                                  .has_azimuth = aspi_roughness_has_lay(rough)};
+  if (out.input.has_azimuth)
+    out.input.azimuth = -atan2(heading.sine, heading.cosine);
   return out;
 }
 
@@ -142,7 +142,7 @@ static bool walk_escapes(passage *fly, double rise, double slope) {
   if (rise > 0 && step / lambda > fly->depth)
     return true;
   if (first)
-    fly->depth /= 1 + smith(tan(fly->now.view.alpha1) / (sqrt(2) * fly->now.slopes.slope));
+    fly->depth /= 1 + smith(tan(fly->now.input.alpha1) / (sqrt(2) * fly->now.slopes.slope));
   fly->begun = true;
   fly->before = fly->depth;
   fly->step = rise > 0 ? step / lambda : step / (1 + lambda);
@@ -154,9 +154,9 @@ static bool walk_escapes(passage *fly, double rise, double slope) {
  * the density is divided by the share of the others; most models have none of these. */
 static double log_face(const asp_wall *wall, const incidence *at, const aspi_tilt *on) {
   const asp_spread_model *model =
-      at->view.alpha1 < 0 && !wall->spread->covers_rising ? wall->rising : wall->spread;
-  double tilt = log(model->density(&at->view, on->delta)) -
-                log1p(-model->distribution(&at->view, -at->view.alpha1));
+      at->input.alpha1 < 0 && !wall->spread->covers_rising ? wall->rising : wall->spread;
+  double tilt = log(model->density(&at->input, on->delta)) -
+                log1p(-model->distribution(&at->input, -at->input.alpha1));
   if (!wall->isotropic)
     return tilt;
   double aside = (on->q - at->slopes.beta * tan(on->delta)) / at->slopes.sd;
@@ -168,7 +168,7 @@ static double log_face(const asp_wall *wall, const incidence *at, const aspi_til
 static double log_walk(const passage *fly, const incidence *at, double rise, double slope,
                        bool first, bool escaped) {
   double lambda = smith(fabs(rise) / (sqrt(2) * slope)), sum = 0;
-  double fall = first ? 1 + smith(tan(at->view.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
+  double fall = first ? 1 + smith(tan(at->input.alpha1) / (sqrt(2) * at->slopes.slope)) : 0;
   if (first && escaped)
     return log(fall / (fall + lambda));
   if (first)
@@ -186,7 +186,7 @@ static void add_ratios(const asp_wall *wall, const passage *fly, const frame *no
   const aspi_ratios *ratios = fly->ratios;
   for (size_t k = 0; ratios && k < ratios->n; k++) {
     aspi_roughness rough = aspi_roughness_of(ratios->walls[k], fly->rough->particle, now->n);
-    incidence at = incidence_at(&rough, fly->heading, fly->now.view.alpha1, first);
+    incidence at = incidence_at(&rough, fly->heading, fly->now.input.alpha1, first);
     ratios->log[k] += log_face(ratios->walls[k], &at, on) - log_face(wall, &fly->now, on);
     if (!out)
       continue;
@@ -216,12 +216,12 @@ static bool next_tilt(const asp_wall *wall, const passage *fly, aspi_path *path,
   const asp_spread_model *model = wall->spread;
   *gone = false;
   if (wall->follow) {
-    bool drawn = wall->follow(&fly->now.view, fly->stream, path, delta);
+    bool drawn = wall->follow(&fly->now.input, fly->stream, path, delta);
     *gone = !drawn;
     return drawn;
   }
-  bool borrows = fly->now.view.alpha1 < 0 && !model->covers_rising;
-  return aspi_spread_draw(borrows ? wall->rising : model, &fly->now.view, fly->stream, delta);
+  bool borrows = fly->now.input.alpha1 < 0 && !model->covers_rising;
+  return aspi_spread_draw(borrows ? wall->rising : model, &fly->now.input, fly->stream, delta);
 }
 
 /* Turns the flight to the next face, after a hit that gave the velocity v2: `local` in (t, b, n).

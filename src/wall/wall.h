@@ -46,7 +46,7 @@ struct asp_wall {
   const asp_spread_model *spread;
   const asp_spread_model *rising; /* for particles that fly up, where `spread` has no law */
   void *data;                     /* of the model */
-  bool (*follow)(const aspi_spread_input *view, aspi_stream *stream, aspi_path *path,
+  bool (*follow)(const aspi_spread_input *input, aspi_stream *stream, aspi_path *path,
                  double *delta);
   aspi_valleys *valleys; /* of the heights that the model follows; NULL: Gaussian */
   bool has_cross_slope;  /* the model draws the slope across the flight, too */

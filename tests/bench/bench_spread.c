@@ -30,8 +30,8 @@ typedef struct inputs {
 typedef struct sampler {
   const asp_spread_model *model;
   const inputs *in;
-  aspi_spread_input view;
-  bool one_angle; /* that of the view; otherwise those of the inputs */
+  aspi_spread_input input;
+  bool one_angle; /* that of the input; otherwise those of the inputs */
   const bench_pinv *pinv;
   size_t at;  /* the next input */
   double sum; /* so that no result is left out */
@@ -40,7 +40,7 @@ typedef struct sampler {
 static size_t next(sampler *s) {
   size_t at = s->at++ % INPUTS;
   if (!s->one_angle)
-    s->view.alpha1 = s->in->alpha1[at];
+    s->input.alpha1 = s->in->alpha1[at];
   return at;
 }
 
@@ -48,7 +48,7 @@ static void quantiles(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++) {
     size_t at = next(s);
-    s->sum += s->model->quantile(&s->view, s->in->u[at]);
+    s->sum += s->model->quantile(&s->input, s->in->u[at]);
   }
 }
 
@@ -58,7 +58,7 @@ static void draws(void *context, size_t n) {
   for (size_t i = 0; i < n; i++) {
     aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, next(s), 1, 0});
     double delta;
-    aspi_spread_draw(s->model, &s->view, &stream, &delta);
+    aspi_spread_draw(s->model, &s->input, &stream, &delta);
     s->sum += delta;
   }
 }
@@ -67,7 +67,7 @@ static void draws(void *context, size_t n) {
 static void quantiles_gsl_uniform(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++)
-    s->sum += s->model->quantile(&s->view, gsl_rng_uniform_pos(s->in->rng));
+    s->sum += s->model->quantile(&s->input, gsl_rng_uniform_pos(s->in->rng));
 }
 
 static void gsl_weibull(void *context, size_t n) {
@@ -191,10 +191,10 @@ static void release(void *data[MODELS_MAX]) {
 }
 
 static sampler sampler_at(const inputs *in, int model, void *const *data) {
-  aspi_spread_input view = aspi_spread_input_of(in->sigma, in->sigma);
-  view.d_p = 0.1;
-  view.data = data[model];
-  return (sampler){.model = asp_spread_at(model), .in = in, .view = view};
+  aspi_spread_input input = aspi_spread_input_of(in->sigma, in->sigma);
+  input.d_p = 0.1;
+  input.data = data[model];
+  return (sampler){.model = asp_spread_at(model), .in = in, .input = input};
 }
 
 static void set_wall(inputs *in, double sigma_degrees) {
@@ -246,7 +246,7 @@ static void pinv_quantiles(void *context, size_t n) {
 static void pinv_set_ups(void *context, size_t n) {
   sampler *s = context;
   for (size_t i = 0; i < n; i++)
-    bench_pinv_free(bench_pinv_create(s->model, &s->view));
+    bench_pinv_free(bench_pinv_create(s->model, &s->input));
 }
 
 /* PINV at one impact angle, the only one its table is good for. */
@@ -255,7 +255,7 @@ static void compare_pinv(const char *name, const char *wall, const sampler *mode
   r.count = 0;
   sampler s = *model;
   s.one_angle = true;
-  bench_pinv *pinv = bench_pinv_create(s.model, &s.view);
+  bench_pinv *pinv = bench_pinv_create(s.model, &s.input);
   if (!pinv) {
     printf("UNU.RAN's PINV of `%s`, %s: its set-up fails\t-\t-\t-\n", name, wall);
     return;
@@ -354,8 +354,8 @@ static span cost_over_angles(const inputs *in, int model, void *const *data, dou
     tau[k] = pow(10, k / 3. - 2);
     sampler s = sampler_at(in, model, data);
     s.one_angle = true;
-    s.view.alpha1 = tau[k] * in->sigma;
-    if (s.view.alpha1 <= ASP_PI / 2)
+    s.input.alpha1 = tau[k] * in->sigma;
+    if (s.input.alpha1 <= ASP_PI / 2)
       add(&r, s.model->quantile ? quantiles : draws, &s);
   }
   bench_run(r.works, r.count, PLACE_ROUNDS);

@@ -83,17 +83,17 @@ static void count_draws(const asp_spread_model *model, const aspi_height_field *
   const aspi_sizes sizes = {D_P, D_P, 1};
   void *data = model->prepare ? model->prepare(of, &sizes, &error) : NULL;
   check(data || !model->prepare, &error);
-  aspi_spread_input view = aspi_spread_input_of(atan(asp_surface_slope(of->surface, D_P)), 0);
-  view.d_p = D_P;
-  view.kappa = asp_surface_kappa(of->surface, D_P);
-  view.data = data;
+  aspi_spread_input input = aspi_spread_input_of(atan(asp_surface_slope(of->surface, D_P)), 0);
+  input.d_p = D_P;
+  input.kappa = asp_surface_kappa(of->surface, D_P);
+  input.data = data;
   count_begin();
   for (int i = 0; i < DRAWS; i++) {
-    view.alpha1 = angle(i);
+    input.alpha1 = angle(i);
     double delta;
     count_on();
     aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, (uint64_t)i, 1, 0});
-    aspi_spread_draw(model, &view, &stream, &delta);
+    aspi_spread_draw(model, &input, &stream, &delta);
     count_off();
   }
   char what[40];

@@ -27,14 +27,14 @@ static void verdict(bool good, const char *what) {
 static double tilt_off(const aspi_judge_case *subject, const aspi_first_hits *first, double degrees,
                        const asp_wall *wall) {
   double slope = asp_surface_slope(wall->surface, subject->d_p), sum = 0;
-  aspi_spread_input view = {.slope = slope,
-                            .sigma = atan(slope),
-                            .alpha1 = aspi_radians(degrees),
-                            .d_p = subject->d_p,
-                            .phi_r = asp_surface_phi_r(wall->surface),
-                            .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
+  aspi_spread_input input = {.slope = slope,
+                             .sigma = atan(slope),
+                             .alpha1 = aspi_radians(degrees),
+                             .d_p = subject->d_p,
+                             .phi_r = asp_surface_phi_r(wall->surface),
+                             .kappa = asp_surface_kappa(wall->surface, subject->d_p)};
   for (int i = 0; i < 4000; i++)
-    sum += wall->spread->quantile(&view, (i + 0.5) / 4000) / 4000;
+    sum += wall->spread->quantile(&input, (i + 0.5) / 4000) / 4000;
   return (sum - first->mean) / atan(slope);
 }
 

@@ -80,9 +80,9 @@ static _Thread_local double u_forced;
 static _Thread_local const asp_spread_model *behind;
 static _Thread_local const combination *at_work;
 
-static double forced_quantile(const aspi_spread_input *view, double u) {
+static double forced_quantile(const aspi_spread_input *input, double u) {
   (void)u;
-  return behind->quantile(view, u_forced);
+  return behind->quantile(input, u_forced);
 }
 
 /* The walls of one slope, of every model. */

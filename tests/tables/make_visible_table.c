@@ -25,11 +25,11 @@ int main(void) {
        "static const double visible_table[VISIBLE_AS][VISIBLE_US] = {");
   for (int row = 0; row < AS; row++) {
     double a = row < AS - 1 ? A_MIDDLE * row / (AS - 1 - row) : 1e10;
-    aspi_spread_input view = aspi_spread_input_of(atan(SLOPE), atan(SLOPE * a));
+    aspi_spread_input input = aspi_spread_input_of(atan(SLOPE), atan(SLOPE * a));
     printf("    {");
     for (int i = 0; i < US; i++) {
       double u = 1 / (1 + exp(LOGIT_MOST * (1 - 2. * i / (US - 1))));
-      printf("%.4f%s", tan(aspi_spread_visible.quantile(&view, u)) / SLOPE,
+      printf("%.4f%s", tan(aspi_spread_visible.quantile(&input, u)) / SLOPE,
              i + 1 < US ? i % 10 == 9 ? ",\n     " : ", " : "},\n");
     }
   }

@@ -59,51 +59,51 @@ static void for_all(void (*check)(const asp_spread_model *, const aspi_spread_in
   for (int m = 0; m < asp_spread_count(); m++)
     for (size_t s = 0; s < COUNT(sigmas); s++) {
       const asp_spread_model *model = asp_spread_at(m);
-      aspi_spread_input view = aspi_spread_input_of(sigmas[s] * DEGREE, 0);
-      view.data = prepared_of(m, s, view.slope);
-      view.d_p = 0.3;
+      aspi_spread_input input = aspi_spread_input_of(sigmas[s] * DEGREE, 0);
+      input.data = prepared_of(m, s, input.slope);
+      input.d_p = 0.3;
       for (size_t a = 0; a < COUNT(angles); a++) {
-        view.alpha1 = angles[a] * DEGREE;
-        view.kappa = 0.7 * (double)a;
-        check(model, &view);
+        input.alpha1 = angles[a] * DEGREE;
+        input.kappa = 0.7 * (double)a;
+        check(model, &input);
       }
     }
 }
 
 typedef struct integrand {
   const asp_spread_model *model;
-  const aspi_spread_input *view;
+  const aspi_spread_input *input;
 } integrand;
 
 static double density_at(double delta, void *of) {
   const integrand *i = of;
-  return i->model->density(i->view, delta);
+  return i->model->density(i->input, delta);
 }
 
-static void fail_at(const asp_spread_model *model, const aspi_spread_input *view, const char *what,
+static void fail_at(const asp_spread_model *model, const aspi_spread_input *input, const char *what,
                     double x, double is, double should) {
   print_error("%s, sigma %g, alpha1 %g degrees: %s at %.17g is %.12g, not %.12g\n", model->name,
-              view->sigma / DEGREE, view->alpha1 / DEGREE, what, x, is, should);
+              input->sigma / DEGREE, input->alpha1 / DEGREE, what, x, is, should);
   fail();
 }
 
-static void check_density(const asp_spread_model *model, const aspi_spread_input *view) {
+static void check_density(const asp_spread_model *model, const aspi_spread_input *input) {
   if (!model->density)
     return;
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
-  integrand of = {model, view};
+  integrand of = {model, input};
   gsl_function f = {density_at, &of};
   for (int i = 0; i < 24; i++) {
     double from = ASP_PI / 2 * (i - 12) / 12, to = ASP_PI / 2 * (i - 11) / 12, share, error;
-    double reach = 9 * view->sigma;
-    from = fmax(fmax(from, -view->alpha1), -reach);
+    double reach = 9 * input->sigma;
+    from = fmax(fmax(from, -input->alpha1), -reach);
     to = fmin(to, reach);
     if (to <= from)
       continue;
     gsl_integration_qags(&f, from, to, 1e-11, 1e-9, 1000, room, &share, &error);
-    double should = model->distribution(view, to) - model->distribution(view, from);
+    double should = model->distribution(input, to) - model->distribution(input, from);
     if (!(fabs(share - should) < (model->geometry ? 1e-6 : 2e-9))) /* a table has nodes */
-      fail_at(model, view, "share of a bin", from, share, should);
+      fail_at(model, input, "share of a bin", from, share, should);
   }
   gsl_integration_workspace_free(room);
 }
@@ -116,22 +116,22 @@ TEST(densities_add_up_to_distributions) {
 static const double shares[] = {DBL_MIN, 1e-100, 1e-15, 1e-9, 1e-4,   0.0038,   0.004,      0.1,
                                 0.3,     0.5,    0.7,   0.95, 0.9999, 1 - 1e-9, 1 - 0x1p-53};
 
-static void check_quantile(const asp_spread_model *model, const aspi_spread_input *view) {
+static void check_quantile(const asp_spread_model *model, const aspi_spread_input *input) {
   if (!model->quantile)
     return;
   double last = -ASP_PI / 2;
   for (size_t i = 0; i < COUNT(shares); i++) {
-    double delta = model->quantile(view, shares[i]);
+    double delta = model->quantile(input, shares[i]);
     if (!(delta >= last - 4e-16 && delta <= ASP_PI / 2 && isfinite(delta)))
-      fail_at(model, view, "quantile", shares[i], delta, last);
+      fail_at(model, input, "quantile", shares[i], delta, last);
     last = delta;
     if (!model->distribution)
       continue;
-    double share = model->distribution(view, delta);
+    double share = model->distribution(input, delta);
     /* near 90 degrees the last bit of delta is much in u */
-    double bit = model->density(view, delta) * 4e-16;
+    double bit = model->density(input, delta) * 4e-16;
     if (model->density && !(fabs(share - shares[i]) < 1e-9 + bit))
-      fail_at(model, view, "distribution of quantile", shares[i], share, shares[i]);
+      fail_at(model, input, "distribution of quantile", shares[i], share, shares[i]);
   }
 }
 
@@ -143,22 +143,22 @@ TEST(quantiles_invert_distributions) {
  * until the verdict is clear: chi-square below its 99 % point passes, above its 1 - 1e-9 fails. */
 enum { BINS = 30 };
 
-static double chi_square(const asp_spread_model *model, const aspi_spread_input *view, size_t n,
+static double chi_square(const asp_spread_model *model, const aspi_spread_input *input, size_t n,
                          uint64_t from, double *count, const double *edge) {
   for (uint64_t tag = from; tag < from + n; tag++) {
     aspi_stream stream = aspi_stream_begin(&(asp_key){11, 5, tag, 1, 0});
     double delta;
     int bin = 0;
-    if (!aspi_spread_draw(model, view, &stream, &delta))
-      fail_at(model, view, "draw", (double)tag, 0, 0);
+    if (!aspi_spread_draw(model, input, &stream, &delta))
+      fail_at(model, input, "draw", (double)tag, 0, 0);
     while (bin < BINS - 1 && delta > edge[bin])
       bin++;
     count[bin]++;
   }
   double sum = 0, all = (double)(from + n);
   for (int i = 0; i < BINS; i++) {
-    double low = i > 0 ? model->distribution(view, edge[i - 1]) : 0;
-    double high = i < BINS - 1 ? model->distribution(view, edge[i]) : 1;
+    double low = i > 0 ? model->distribution(input, edge[i - 1]) : 0;
+    double high = i < BINS - 1 ? model->distribution(input, edge[i]) : 1;
     double expected = all * (high - low);
     if (expected > 0)
       sum += (count[i] - expected) * (count[i] - expected) / expected;
@@ -168,23 +168,23 @@ static double chi_square(const asp_spread_model *model, const aspi_spread_input 
   return sum;
 }
 
-static void check_draws(const asp_spread_model *model, const aspi_spread_input *view) {
+static void check_draws(const asp_spread_model *model, const aspi_spread_input *input) {
   if (!model->distribution)
     return;
-  double count[BINS] = {0}, edge[BINS - 1], reach = fmin(3 * view->sigma, 1.5);
+  double count[BINS] = {0}, edge[BINS - 1], reach = fmin(3 * input->sigma, 1.5);
   for (int i = 0; i < BINS - 1; i++)
     edge[i] = -reach + 2 * reach * i / (BINS - 2);
   double good = gsl_cdf_chisq_Qinv(0.01, BINS - 1), bad = gsl_cdf_chisq_Qinv(1e-9, BINS - 1);
   uint64_t have = 0;
   for (size_t n = 4000; have < 2000000; n = have) {
-    double chi2 = chi_square(model, view, n, have, count, edge);
+    double chi2 = chi_square(model, input, n, have, count, edge);
     have += n;
     if (chi2 < good)
       return;
     if (chi2 > bad)
       break;
   }
-  fail_at(model, view, "chi-square of draws", (double)have, 1, 0);
+  fail_at(model, input, "chi-square of draws", (double)have, 1, 0);
 }
 
 TEST(draws_follow_distributions) {
@@ -199,17 +199,17 @@ TEST(flights_up) {
       continue;
     for (size_t s = 0; s < COUNT(sigmas); s++)
       for (double ratio = 0.01; ratio < 30; ratio *= 1.7) {
-        aspi_spread_input view = aspi_spread_input_of(sigmas[s] * DEGREE, 0);
-        view.alpha1 = -atan(ratio * view.slope);
-        double last = -view.alpha1;
+        aspi_spread_input input = aspi_spread_input_of(sigmas[s] * DEGREE, 0);
+        input.alpha1 = -atan(ratio * input.slope);
+        double last = -input.alpha1;
         for (double u = 1e-9; u < 1; u += 0.0499) {
-          double delta = model->quantile(&view, u);
+          double delta = model->quantile(&input, u);
           assert_true(delta >= last - 1e-15 && delta <= ASP_PI / 2);
           /* the last bits of delta, in the length of the law above -alpha1 */
-          double bit = model->density(&view, delta) * 1e-15;
-          if (!(fabs(model->distribution(&view, delta) - u) < 1e-9 + bit))
-            fail_at(model, &view, "distribution of quantile", u, model->distribution(&view, delta),
-                    u);
+          double bit = model->density(&input, delta) * 1e-15;
+          if (!(fabs(model->distribution(&input, delta) - u) < 1e-9 + bit))
+            fail_at(model, &input, "distribution of quantile", u,
+                    model->distribution(&input, delta), u);
           last = delta;
         }
       }
@@ -235,8 +235,8 @@ static double share_above(double a, double x, double *whole) {
 /* By how much the distribution of `visible` at its quantile is off u. */
 static double visible_off(double a, double u) {
   const asp_spread_model *visible = asp_spread_find("visible", NULL);
-  aspi_spread_input view = {.slope = 0.1, .sigma = atan(0.1), .alpha1 = atan(0.1 * a)};
-  double whole, x = tan(visible->quantile(&view, u)) / 0.1;
+  aspi_spread_input input = {.slope = 0.1, .sigma = atan(0.1), .alpha1 = atan(0.1 * a)};
+  double whole, x = tan(visible->quantile(&input, u)) / 0.1;
   return fabs(share_above(a, x, &whole) - (1 - u));
 }
 
@@ -260,11 +260,11 @@ TEST(visible_is_accurate_for_every_a) {
 /* The largest distance between two distributions. */
 static double distance(const char *one, const char *other, double sigma, double alpha1) {
   const asp_spread_model *a = asp_spread_find(one, NULL), *b = asp_spread_find(other, NULL);
-  aspi_spread_input view = aspi_spread_input_of(sigma, alpha1);
+  aspi_spread_input input = aspi_spread_input_of(sigma, alpha1);
   double most = 0;
   for (int i = -400; i <= 400; i++) {
     double delta = i * sigma / 80;
-    most = fmax(most, fabs(a->distribution(&view, delta) - b->distribution(&view, delta)));
+    most = fmax(most, fabs(a->distribution(&input, delta) - b->distribution(&input, delta)));
   }
   return most;
 }
@@ -280,9 +280,9 @@ TEST(models_agree_where_they_must) {
 }
 
 static double excess(double delta, void *of) {
-  const aspi_spread_input *view = of;
-  double p = asp_spread_find("truncated", NULL)->density(view, delta);
-  double q = asp_spread_find("weibull", NULL)->density(view, delta);
+  const aspi_spread_input *input = of;
+  double p = asp_spread_find("truncated", NULL)->density(input, delta);
+  double q = asp_spread_find("weibull", NULL)->density(input, delta);
   return p > 0 && q > 0 ? p * log(p / q) : 0;
 }
 
@@ -292,10 +292,10 @@ TEST(weibull_is_the_best_of_its_kind) {
                                     {4, 0.018},    {5, 0.011},  {6.25, 0.004}};
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(2000);
   for (size_t i = 0; i < COUNT(known); i++) {
-    aspi_spread_input view = aspi_spread_input_of(0.01, known[i][0] * 0.01);
-    gsl_function f = {excess, &view};
+    aspi_spread_input input = aspi_spread_input_of(0.01, known[i][0] * 0.01);
+    gsl_function f = {excess, &input};
     double kl, error;
-    gsl_integration_qags(&f, -view.alpha1 / 2 + 1e-12, 0.09, 1e-9, 1e-9, 2000, room, &kl, &error);
+    gsl_integration_qags(&f, -input.alpha1 / 2 + 1e-12, 0.09, 1e-9, 1e-9, 2000, room, &kl, &error);
     assert_near(kl, known[i][1], 0.0006);
   }
   gsl_integration_workspace_free(room);
@@ -321,15 +321,15 @@ TEST(weibull_keeps_its_digits) {
     double u = crowded(rng, i);
     if (!(u > 0 && u < 1))
       continue;
-    aspi_spread_input view = aspi_spread_input_of(
+    aspi_spread_input input = aspi_spread_input_of(
         pow(gsl_rng_uniform(rng), 2) * 80 * DEGREE + 0.001, gsl_rng_uniform(rng) * ASP_PI / 2);
-    aspi_weibull w = aspi_weibull_at(view.sigma, view.alpha1);
+    aspi_weibull w = aspi_weibull_at(input.sigma, input.alpha1);
     long double lost = expl(-powl((ASP_DELTA_MOST - w.b) / w.lambda, w.k));
     long double place = powl(-log1pl(u * (lost - 1)), 1.L / w.k);
     double should = fmin((double)(w.b + w.lambda * place), ASP_DELTA_MOST);
-    double off = fabs(weibull->quantile(&view, u) - should);
-    if (!(off < 1e-14 || off * weibull->density(&view, should) < 2e-16)) /* in delta, or in u */
-      fail_at(weibull, &view, "quantile", u, weibull->quantile(&view, u), should);
+    double off = fabs(weibull->quantile(&input, u) - should);
+    if (!(off < 1e-14 || off * weibull->density(&input, should) < 2e-16)) /* in delta, or in u */
+      fail_at(weibull, &input, "quantile", u, weibull->quantile(&input, u), should);
   }
   gsl_rng_free(rng);
 }
@@ -343,11 +343,11 @@ TEST(normal_laws_keep_their_digits) {
     double u = crowded(rng, i), sigma = 0.01, alpha1 = gsl_rng_uniform(rng) * 0.2;
     if (!(u > 1e-300 && u < 1))
       continue;
-    aspi_spread_input view = aspi_spread_input_of(sigma, alpha1);
+    aspi_spread_input input = aspi_spread_input_of(sigma, alpha1);
     double x = u < 0.5 ? gsl_cdf_ugaussian_Pinv(u) : gsl_cdf_ugaussian_Qinv(1 - u);
-    assert_near(normal->quantile(&view, u) / sigma, x, 1e-15 + 1e-15 * fabs(x));
+    assert_near(normal->quantile(&input, u) / sigma, x, 1e-15 + 1e-15 * fabs(x));
     double lost = 0.5 * erfc(alpha1 / 2 / sigma * M_SQRT1_2), p = u + (1 - u) * lost;
-    double cut = truncated->quantile(&view, u) / sigma;
+    double cut = truncated->quantile(&input, u) / sigma;
     double is = cut < 0 ? 0.5 * erfc(-cut * M_SQRT1_2) : 1 - 0.5 * erfc(cut * M_SQRT1_2);
     assert_near(is, p, 5e-16);
   }
@@ -360,9 +360,9 @@ TEST(grazing_upwards) {
   const asp_spread_model *truncated = asp_spread_find("truncated", NULL);
   double last = -1;
   for (double alpha1 = 0.1; alpha1 > -0.1; alpha1 -= 0.001) {
-    aspi_spread_input view = aspi_spread_input_of(0.01, alpha1);
-    double lowest = truncated->quantile(&view, 1e-12);
-    assert_true(lowest > last && truncated->quantile(&view, 0.7) > lowest);
+    aspi_spread_input input = aspi_spread_input_of(0.01, alpha1);
+    double lowest = truncated->quantile(&input, 1e-12);
+    assert_true(lowest > last && truncated->quantile(&input, 0.7) > lowest);
     last = lowest;
   }
 }
@@ -372,13 +372,13 @@ TEST(flat_walls_have_no_spread) {
     const asp_spread_model *model = asp_spread_at(m);
     if (model->prepare)
       continue;
-    aspi_spread_input view = aspi_spread_input_of(0, 0.3);
+    aspi_spread_input input = aspi_spread_input_of(0, 0.3);
     aspi_stream stream = aspi_stream_begin(&(asp_key){1, 1, 1, 1, 0});
     double delta = 1;
-    assert_true(aspi_spread_draw(model, &view, &stream, &delta));
+    assert_true(aspi_spread_draw(model, &input, &stream, &delta));
     assert_near(delta, 0, 0);
-    view = aspi_spread_input_of(1e-300, 0.3);
-    assert_true(aspi_spread_draw(model, &view, &stream, &delta));
+    input = aspi_spread_input_of(1e-300, 0.3);
+    assert_true(aspi_spread_draw(model, &input, &stream, &delta));
     assert_near(delta, 0, 1e-290);
   }
 }

@@ -304,15 +304,15 @@ TEST(ensembles_agree_with_their_table) {
       asp_heights_free(profile);
     }
     for (int a = 0; a < 4; a++) {
-      aspi_spread_input view = {
+      aspi_spread_input input = {
           .slope = slope, .sigma = atan(slope), .alpha1 = atan(as[a] * slope), .kappa = kappas[k]};
       double sum = 0;
       for (int i = 0; i < 2000; i++)
-        sum += tan(model->quantile(&view, (i + 0.5) / 2000)) / slope / 2000;
+        sum += tan(model->quantile(&input, (i + 0.5) / 2000)) / slope / 2000;
       worst_mean = fmax(worst_mean, fabs(sum - mean[a]));
       for (int n = 0; n < SLOPES; n++)
         worst = fmax(worst,
-                     fabs(model->distribution(&view, atan((0.5 * n - 1) * slope)) - below[a][n]));
+                     fabs(model->distribution(&input, atan((0.5 * n - 1) * slope)) - below[a][n]));
     }
   }
   print_message("table of first hits: shares off by %.4f, means by %.4f s\n", worst, worst_mean);
