@@ -5,12 +5,10 @@
  * left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "readers/columns.h"
 #include "base/error.h"
-#include "base/table.h"
 #include "base/tolerances.h"
-#include "base/units.h"
 #include "readers/head.h"
-#include "readers/points.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -23,189 +21,8 @@ enum { ROWS_LEAST = 3 };
 /* Axes of a matrix are even but for this part of their step. */
 #define UNEVEN 1e-3
 
-/* First words of names of positions and heights, of heights that count downward, and of a column
- * that is 0 where the height is none. */
-static const char positions[] = "x pos position positions distance dist lateral length travel scan "
-                                "weg strecke abstand distancia posicion",
-                  heights[] = "z height heights h raw profile depth depths level amplitude "
-                              "elevation hoehe tiefe profil altura hauteur profondeur",
-                  depths[] = "depth depths tiefe profondeur", marks[] = "valid gueltig valide";
-
-#define ASK_COLUMNS                                                                                \
-  "say which columns are positions and heights (asperity surface --x-column 1 --column 2), "       \
-  "or the step of heights alone (--step 0.5um)"
-#define DECIMAL_COMMAS                                                                             \
-  "are there decimal commas? Separate columns by semicolons or tabs, or write decimal points"
-
-enum { X, Y, Z, VALID, AXES };
-
-typedef struct reader {
-  aspi_table *table;
-  const aspi_profile_options *options;
-  int column[AXES];                 /* from 0, -1 if there is none; of a matrix Z is -1 */
-  double unit[3];                   /* m; < 0 for depths */
-  double step[2];                   /* m, as the user or the file states it; 0: it is not stated */
-  double known_unit;                /* of the heights, by the format; 0: unknown */
-  double value[3];                  /* of the current row in those columns, not in a matrix */
-  int due;                          /* fields of a row */
-  size_t stated;                    /* rows by the header, 0: it does not say */
-  size_t left, left_line, end_line; /* lines with digits behind the rows, and where they end */
-  size_t traces;                    /* of a profile: blocks whose positions begin anew */
-  double first, last; /* position of the current one's first row, and of the last row */
-  aspi_missing missing;
-} reader;
-
-/* ---- names ---- */
-
-static size_t first_word(const char *name) {
-  size_t length = 0;
-  while (isalpha((unsigned char)name[length]))
-    length++;
-  return length;
-}
-
-static bool is_of(const char *list, const aspi_column *c) {
-  return aspi_word_index(list, c->plain, first_word(c->plain), false) >= 0;
-}
-
-/* The unit at the end of a name in m, 0 if there is none of length. */
-static double unit_in(const aspi_column *c) {
-  double unit = 0;
-  for (const char *end = c->plain; *end && !(unit > 0); end += *end == '_')
-    unit = aspi_unit_meters(end, strlen(end)), end += strcspn(end, "_");
-  return unit;
-}
-
-static bool is_named(const reader *r, int at, const char *list) {
-  const aspi_column *c = &r->table->column[at];
-  const char *mark = strpbrk(c->name, "([{/");
-  bool other =
-      mark && isalpha((unsigned char)mark[1]) && !(unit_in(c) > 0); /* a unit, of no length */
-  return is_of(list, c) && !other;
-}
-
-/* The first column with a name of the list that is not `other`; -1: none. */
-static int first_of(const reader *r, const char *list, int other) {
-  for (int i = 0; i < r->table->columns; i++)
-    if (i != other && is_named(r, i, list))
-      return i;
-  return -1;
-}
-
-/* ---- columns ---- */
-
-static asp_code find_asked(const reader *r, const char *asked, int *found, asp_error *error) {
-  *found = asked ? aspi_table_asked(r->table, asked, r->due) : -1;
-  if (!asked || *found >= 0)
-    return ASP_OK;
-  return aspi_table_fail(r->table, error,
-                         "column '%.40s' is asked for; none of the %d columns has that name or "
-                         "number",
-                         asked, r->due);
-}
-
-/* Guesses columns that neither user nor names state. Of two columns without known names the first
- * has positions; if one is named as positions the other has heights. */
-static void complete(reader *r, bool alone) {
-  int *x = &r->column[X], *z = &r->column[Z], named = r->table->columns;
-  int position = first_of(r, positions, *z), height = first_of(r, heights, *x);
-  bool none = position < 0 && height < 0;
-  if (named == 0 || (none && r->due <= 2 && !alone)) {
-    *x = *x >= 0 || alone ? *x : *z == 0 && r->due > 1 ? 1 : 0;
-    *z = *z >= 0 ? *z : alone || *x == 1 ? 0 : 1;
-  } else if (alone && r->due == 1) {
-    *z = 0;
-  }
-  *z = *z >= 0 ? *z : height;
-  *x = *x < 0 && !alone ? first_of(r, positions, *z) : *x;
-  if (*z < 0 && *x >= 0 && r->due == 2 && unit_in(&r->table->column[1 - *x]) > 0)
-    *z = 1 - *x;
-}
-
-static asp_code find_units(reader *r, asp_error *error) {
-  const aspi_profile_options *o = r->options;
-  for (int k = X; k <= Z; k++) {
-    int at = r->column[k];
-    double own = k < Z ? o->unit_x : o->unit_z,
-           factor = k == Z ? aspi_head_length(r->table, ASPI_HEAD_FACTOR, 1) : 0;
-    const aspi_column *c = at >= 0 && at < r->table->columns ? &r->table->column[at] : NULL;
-    double unit = own > 0 ? own : c && unit_in(c) > 0 ? unit_in(c) : factor;
-    unit = !(unit > 0) && k == Z ? r->known_unit : unit;
-    r->unit[k] = k < Z && at < 0 ? 1
-                 : unit > 0      ? unit
-                                 : aspi_head_length(r->table, ASPI_HEAD_UNIT, 1);
-    if (!(r->unit[k] > 0) && r->column[Z] < 0)
-      return aspi_table_fail(
-          r->table, error,
-          "no unit of the heights is stated before the first numbers; say which unit of "
-          "length they are in (asperity surface --unit um)");
-    if (!(r->unit[k] > 0))
-      return aspi_table_fail(
-          r->table, error,
-          "no unit of length is stated of column %d before the first numbers; say which "
-          "unit of length the columns are in (asperity surface --unit um)",
-          at + 1);
-    if (k == Z && c && is_of(depths, c))
-      r->unit[k] *= -1;
-  }
-  return ASP_OK;
-}
-
-static asp_code choose_profile(reader *r, asp_error *error) {
-  const aspi_profile_options *o = r->options;
-  bool alone = r->step[0] > 0;
-  int named = r->table->columns, *x = &r->column[X], *z = &r->column[Z];
-  asp_code code = alone ? ASP_OK : find_asked(r, o->x_column, x, error);
-  code = code ? code : find_asked(r, o->column, z, error);
-  if (code)
-    return code;
-  if (*x >= 0 && *x == *z)
-    return aspi_table_fail(r->table, error, "column %d is asked for as positions and as heights",
-                           *x + 1);
-  bool by_user = *x >= 0;
-  if (*z < 0 && r->due > (alone ? 1 : 2) && named < r->table->count)
-    return aspi_table_fail(r->table, error,
-                           "%d columns under %d names%s; " ASK_COLUMNS
-                           "; a matrix of heights, or x, y and z, is a map (surface map)",
-                           r->due, named,
-                           r->table->separator == ',' ? " (or " DECIMAL_COMMAS ")" : "");
-  if (!alone && r->due == 1)
-    return aspi_table_fail(r->table, error,
-                           "heights alone of a profile need the step between them (asperity "
-                           "surface --step 0.5um)");
-  complete(r, alone);
-  if (*z < 0 || (*x < 0 && !alone))
-    return aspi_table_fail(r->table, error, "no column is named as a %s; " ASK_COLUMNS,
-                           *z < 0 ? "height" : "position");
-  int y = first_of(r, "y", *z);
-  bool both = y >= 0 && !by_user && *x >= 0 && first_of(r, "x", -1) == *x;
-  r->column[Y] = both ? y : -1;
-  return find_units(r, error);
-}
-
-/* True for x, y, z, and red, green, blue as whole numbers to 255, perhaps another one behind. */
-static bool has_colors(const reader *r) {
-  double v[7], whole = 0;
-  for (int i = 0; i < 6 && r->due >= 6 && r->due <= 7 && r->table->columns == 0; i++)
-    if (aspi_table_field(r->table, i, &v[i]) == ASP_WORD_NUMBER)
-      whole += i >= 3 ? v[i] >= 0 && v[i] <= 255 && !strpbrk(r->table->fields[i], ".,")
-                      : !strpbrk(r->table->fields[i], ".,");
-  return whole >= 3 && whole < 6 && strpbrk(r->table->fields[2], ".,");
-}
-
-static asp_code choose_map(reader *r, asp_error *error) {
-  int x = first_of(r, "x", -1), y = first_of(r, "y", -1), z = first_of(r, "z", -1);
-  z = z < 0 ? first_of(r, heights, -1) : z;
-  bool named = x >= 0 && y >= 0 && z >= 0;
-  for (int k = X; k <= Z; k++)
-    r->column[k] = named ? (const int[]){x, y, z}[k] : r->due == 3 || has_colors(r) ? k : -1;
-  return find_units(r, error);
-}
-
-/* ---- rows ---- */
-
 /* Kind of a field that must be there, of a height one that may be missing. */
-static bool fits(reader *r) {
+static bool fits(aspi_columns *r) {
   const aspi_table *t = r->table;
   double value;
   bool good = t->count > 0, matrix = r->column[Z] < 0;
@@ -234,7 +51,7 @@ static bool show(const aspi_table *t, char *shown, size_t size) {
 }
 
 /* Checks the number of fields of the current row. */
-static asp_code check_count(const reader *r, asp_error *error) {
+static asp_code check_count(const aspi_columns *r, asp_error *error) {
   const aspi_table *t = r->table;
   bool matrix = r->column[Z] < 0, comma = t->separator == ',';
   int count = t->all >= r->due && t->count < r->due ? r->due : t->count;
@@ -249,7 +66,7 @@ static asp_code check_count(const reader *r, asp_error *error) {
 
 /* True if the positions of a profile begin anew: the row turns back, and is nearer to the first of
  * the trace than to the last. */
-static bool begins_anew(const reader *r) {
+static bool begins_anew(const aspi_columns *r) {
   double x = r->value[X], back = (x - r->last) * (r->last - r->first);
   return r->column[X] >= 0 && r->column[Z] >= 0 && r->column[Y] < 0 && r->traces > 0 && back < 0 &&
          fabs(x - r->first) < fabs(x - r->last);
@@ -257,7 +74,7 @@ static bool begins_anew(const reader *r) {
 
 /* Reads the next row. A line of another kind ends the rows, unless more rows follow and the header
  * does not state that all were read, or another trace. */
-static asp_code next_row(reader *r, bool *found, asp_error *error) {
+static asp_code next_row(aspi_columns *r, bool *found, asp_error *error) {
   aspi_table *t = r->table;
   char first_shown[48], shown[48];
   size_t other = 0, left = 0, left_line = 0;
@@ -288,14 +105,14 @@ static asp_code next_row(reader *r, bool *found, asp_error *error) {
   return code;
 }
 
-static double number_at(const reader *r, int column) {
+static double number_at(const aspi_columns *r, int column) {
   double value;
   aspi_table_field(r->table, column, &value);
   return value;
 }
 
 /* The height in a column in m; notes where it is bad. */
-static double height_at(reader *r, int column, aspi_raw *raw) {
+static double height_at(aspi_columns *r, int column, aspi_raw *raw) {
   size_t line = r->table->text.line;
   double z =
       aspi_missing_note(&r->missing, r->column[Z] < 0 ? number_at(r, column) : r->value[Z], line);
@@ -317,7 +134,7 @@ static bool is_even(const double *z, size_t count, size_t stride, double *step) 
 
 /* Takes the first row or column of a matrix, or both, for axes where they rise evenly, in units of
  * x; one of 0, 1, 2, ... or 1, 2, 3, ... is an index and gives no step. */
-static void take_axes(reader *r, double unit_x, aspi_raw *raw) {
+static void take_axes(aspi_columns *r, double unit_x, aspi_raw *raw) {
   size_t n = raw->columns, rows = raw->rows;
   double step[2], first[2] = {raw->z[n > 1], raw->z[rows > 1 ? n : 0]};
   if (n < 2 || rows < 2)
@@ -348,7 +165,7 @@ static void take_axes(reader *r, double unit_x, aspi_raw *raw) {
   }
 }
 
-static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
+static asp_code read_matrix(aspi_columns *r, aspi_raw *raw, asp_error *error) {
   const aspi_profile_options *o = r->options;
   asp_code code = ASP_OK;
   raw->columns = (size_t)r->due;
@@ -371,7 +188,7 @@ static asp_code read_matrix(reader *r, aspi_raw *raw, asp_error *error) {
 }
 
 /* Counts above a single column are not heights. */
-static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
+static void drop_count(aspi_points *p, const aspi_columns *r, aspi_raw *raw) {
   size_t skip = 0;
   for (size_t i = 0; i < 2 && i + ROWS_LEAST < p->count && skip == 0; i++)
     if (fabs(p->list[i].z / r->unit[Z] - (double)(p->count - i - 1)) < ASPI_ROUNDING_TEXT)
@@ -386,7 +203,7 @@ static void drop_count(aspi_points *p, const reader *r, aspi_raw *raw) {
 }
 
 /* Reads rows of positions and heights. A profile without positions has equal steps. */
-static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_error *error) {
+static asp_code read_points(aspi_columns *r, aspi_points *points, aspi_raw *raw, asp_error *error) {
   const int *at = r->column, row = raw->is_map ? 1 : r->options->row;
   asp_code code = ASP_OK;
   if (at[X] >= 0 && r->options->step[0] > 0)
@@ -430,7 +247,7 @@ static asp_code read_points(reader *r, aspi_points *points, aspi_raw *raw, asp_e
 }
 
 /* Notes how the file was read, and what was left out. */
-static void describe(const reader *r, aspi_raw *raw) {
+static void describe(const aspi_columns *r, aspi_raw *raw) {
   const int x = r->column[X] + 1, y = r->column[Y] + 1, z = r->column[Z] + 1;
   bool chosen = r->due > 2 && !raw->is_map;
   if (chosen && y > 0)
@@ -453,7 +270,7 @@ static void describe(const reader *r, aspi_raw *raw) {
                 r->left, r->left_line);
 }
 
-static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
+static asp_code read(aspi_columns *r, aspi_raw *raw, asp_error *error) {
   const aspi_profile_options *o = r->options;
   const aspi_table *t = r->table;
   aspi_points points = {0};
@@ -473,9 +290,8 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
   if (raw->is_map && !(o->step[0] > 0))
     aspi_head_known(t, o->unit_x > 0 ? o->unit_x : o->unit_z, r->step, &r->known_unit);
   r->stated = aspi_head_count(r->table, raw->is_map ? ASPI_HEAD_ROWS : ASPI_HEAD_COUNT);
-  asp_code code = raw->is_map ? choose_map(r, error) : choose_profile(r, error);
+  asp_code code = aspi_columns_choose(r, raw->is_map, error);
   r->due = r->column[Z] < 0 ? t->count : r->due;
-  r->column[VALID] = r->column[Z] < 0 ? -1 : first_of(r, marks, -1);
   bool matrix = r->column[Z] < 0;
   if (!code)
     code = matrix ? read_matrix(r, raw, error) : read_points(r, &points, raw, error);
@@ -491,7 +307,7 @@ static asp_code read(reader *r, aspi_raw *raw, asp_error *error) {
 
 asp_code aspi_read_columns(const aspi_text *text, const aspi_profile_options *options,
                            aspi_raw *raw, asp_error *error) {
-  reader r = {
+  aspi_columns r = {
       .options = options, .column = {-1, -1, -1, -1}, .missing = {.stated = options->missing}};
   r.table = aspi_table_open(text->stream, text->path,
                             raw->is_map || !(options->step[0] > 0) ? 2 : 1, error);

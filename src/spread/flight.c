@@ -7,13 +7,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spread/flight.h"
-#include "base/error.h"
-#include "surface/ball.h"
-#include "surface/rolling.h"
 
-#include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 /* A flight that has passed this many blocks is lost; a sinking flight passes far fewer. */
 enum { BLOCKS_MOST = 100000 };
@@ -30,210 +25,6 @@ enum { UNDER_MOST = 2 };
 enum { SHIFTS_MOST = 64 };
 #define GOLDEN 0.6180339887498949
 
-/* Point k along a side of n; the last cell of a side that repeats ends at the first point. */
-static ptrdiff_t next_of(ptrdiff_t k, ptrdiff_t n) {
-  return k + 1 < n ? k + 1 : 0;
-}
-
-double aspi_fall_least(double r_q, double length) {
-  return 16 * r_q / length;
-}
-
-/* A steeper beam is vertical. */
-#define FALL_MOST 1e12
-
-/* Points of the path over a profile, unless the profile has more. */
-#define ROW_POINTS_MOST ((size_t)131072)
-
-/* A cell: its first corner, and the points and heights of all corners. */
-typedef struct cell {
-  double at[2];
-  const float *point[4];
-  double z[4];
-} cell;
-
-static inline cell cell_at(const aspi_field *f, const ptrdiff_t at[2]) {
-  const float *one = f->z + f->stride * f->columns * at[1];
-  ptrdiff_t i = f->stride * at[0], k = f->stride * next_of(at[0], f->columns);
-  cell c = {{(double)at[0], (double)at[1]}, {one + i, one + k}, {one[i], one[k]}};
-  if (f->axes > 1) {
-    const float *two = f->z + f->stride * f->columns * next_of(at[1], f->rows);
-    c.point[2] = two + i;
-    c.point[3] = two + k;
-    c.z[2] = two[i];
-    c.z[3] = two[k];
-  }
-  return c;
-}
-
-/* ---- making ---- */
-
-/* Lays out the maxima; returns how many there are. */
-static size_t lay_out(aspi_field *f, float *room) {
-  ptrdiff_t columns = f->columns, rows = f->rows;
-  size_t used = 0;
-  f->tile = rows > 1 ? 16 : 4;
-  f->levels = 0;
-  do {
-    aspi_tops *at = &f->level[f->levels++];
-    columns = (columns + 3) / 4;
-    rows = (rows + 3) / 4;
-    *at = (aspi_tops){columns, columns * rows, room + used};
-    used += (size_t)(at->tiles * f->tile);
-  } while (columns > 1 || rows > 1);
-  return used;
-}
-
-static asp_code create(aspi_field *f, size_t columns, size_t rows, size_t stride,
-                       asp_error *error) {
-  *f = (aspi_field){.columns = (ptrdiff_t)columns,
-                    .rows = (ptrdiff_t)rows,
-                    .axes = rows > 1 ? 2 : 1,
-                    .stride = (ptrdiff_t)stride};
-  float none;
-  size_t count = stride * columns * rows + lay_out(f, &none);
-  f->z = count <= SIZE_MAX / sizeof(float) ? malloc(count * sizeof(float)) : NULL;
-  if (!f->z)
-    return aspi_fail(error, ASP_ENOMEM, "out of memory for a dilated wall of %zu x %zu points",
-                     columns, rows);
-  lay_out(f, f->z + stride * columns * rows);
-  return ASP_OK;
-}
-
-void aspi_field_free(aspi_field *f) {
-  free(f->z);
-}
-
-/* The maximum over a block of cells. */
-static inline float *top_of(const aspi_field *f, int level, ptrdiff_t i, ptrdiff_t j) {
-  const aspi_tops *of = &f->level[level];
-  if (f->axes == 1) /* tiles of one row are in order */
-    return of->most + i;
-  return of->most + ((j >> 2) * of->across + (i >> 2)) * f->tile + 4 * (j & 3) + (i & 3);
-}
-
-/* Computes the maxima over blocks from the maxima of the cells. */
-static void fill_tops(aspi_field *f) {
-  for (int k = 0; k < f->levels; k++)
-    for (ptrdiff_t n = 0; n < f->level[k].tiles; n++) {
-      const float *tile = f->level[k].most + n * f->tile;
-      float most = tile[0];
-      for (ptrdiff_t i = 1; i < f->tile; i++)
-        most = tile[i] > most ? tile[i] : most;
-      if (k + 1 < f->levels)
-        *top_of(f, k + 1, n % f->level[k].across, n / f->level[k].across) = most;
-      else
-        f->top = most;
-    }
-}
-
-/* Fills in the members that follow from the heights. */
-static void finish(aspi_field *f) {
-  double mean = 0, square = 0, n = (double)(f->columns * f->rows);
-  const aspi_tops *last = &f->level[f->levels - 1];
-  for (float *top = f->level[0].most; top < last->most + last->tiles * f->tile; top++)
-    *top = -FLT_MAX;
-  f->cells[0] = f->columns - !f->wraps;
-  f->cells[1] = f->rows - !f->wraps;
-  f->bottom = INFINITY;
-  for (ptrdiff_t j = 0; j < f->rows; j++)
-    for (ptrdiff_t i = 0; i < f->columns; i++) {
-      cell c = cell_at(f, (const ptrdiff_t[2]){i, j});
-      if (i < f->cells[0] && j < f->cells[1])
-        *top_of(f, 0, i, j) =
-            (float)fmax(fmax(c.z[0], c.z[1]), f->axes > 1 ? fmax(c.z[2], c.z[3]) : -INFINITY);
-      f->bottom = fmin(f->bottom, c.z[0]);
-      mean += c.z[0] / n;
-      square += c.z[0] * c.z[0] / n;
-    }
-  f->bottom -= f->step[0]; /* clearly below */
-  f->fall_least = aspi_fall_least(sqrt(fmax(0, square - mean * mean)), n * f->step[0]);
-  fill_tops(f);
-}
-
-static asp_code fill_row(aspi_field *f, const asp_heights *profile, double d_p, asp_error *error) {
-  asp_error own;
-  error = error ? error : &own;
-  asp_heights *rolled = NULL; /* a point follows the profile itself */
-  if (d_p > 0 && !(rolled = aspi_profile_path(profile, d_p, ROW_POINTS_MOST, error)))
-    return error->code;
-  const asp_heights *path = rolled ? rolled : profile;
-  size_t points = path->columns, n = path->periodic ? points : 2 * points - 2;
-  asp_code code = create(f, n, 1, 1, error);
-  for (size_t i = 0; i < n && !code; i++)
-    f->z[i] = (float)(path->z[i < points ? i : n - i] - path->z[0]);
-  f->step[0] = f->step[1] = path->step[0];
-  f->wraps = true;
-  asp_heights_free(rolled);
-  return code;
-}
-
-static asp_code fill_map(aspi_field *f, const asp_heights *map, double d_p, const aspi_grid *g,
-                         asp_error *error) {
-  aspi_ball *ball = aspi_ball_create(map, d_p, error);
-  asp_code code = ball ? create(f, g->count[0], g->count[1], 3, error) : ASP_ENOMEM;
-  double dx = map->step[0], dy = map->step[1], stride = (double)g->stride;
-  f->radius = 0.5 * d_p;
-  f->step[0] = dx * stride;
-  f->step[1] = dy * stride;
-  f->wraps = map->periodic && g->count[0] == map->columns && g->count[1] == map->rows;
-  for (ptrdiff_t j = 0; j < f->rows && !code; j++) {
-    aspi_ball_search search = aspi_ball_begin(ball);
-    for (ptrdiff_t i = 0; i < f->columns; i++) {
-      aspi_touch touch = aspi_ball_at(&search, ((double)g->first[0] + stride * (double)i) * dx,
-                                      ((double)g->first[1] + stride * (double)j) * dy);
-      float *point = f->z + f->stride * (j * f->columns + i);
-      point[0] = (float)(touch.height - map->z[0]);
-      point[1] = (float)touch.p;
-      point[2] = (float)touch.q;
-    }
-  }
-  aspi_ball_free(ball);
-  return code;
-}
-
-asp_code aspi_field_create(aspi_field *f, const asp_heights *heights, double d_p,
-                           const aspi_grid *grid, asp_error *error) {
-  *f = (aspi_field){0};
-  asp_code code = aspi_check_range(error, "d_p", "", d_p, 0, INFINITY);
-  if (!code)
-    code = heights->rows > 1 ? fill_map(f, heights, d_p, grid, error)
-                             : fill_row(f, heights, d_p, error);
-  if (!code)
-    finish(f);
-  return code;
-}
-
-void aspi_field_scale(aspi_field *f, double factor) {
-  for (ptrdiff_t i = 0; i < f->stride * f->columns * f->rows; i++)
-    f->z[i] = (float)(factor * (double)f->z[i]);
-  finish(f);
-}
-
-/* ---- the first hits on a row: a path is a constant value of g = z + x fall, and touches where g
- * passes its running maximum ---- */
-
-double aspi_field_slope(const aspi_field *f, size_t i) {
-  size_t next = (size_t)next_of((ptrdiff_t)i, f->columns);
-  return ((double)f->z[next] - (double)f->z[i]) / f->step[0];
-}
-
-double aspi_field_fall(const aspi_field *f, double alpha1) {
-  return fmin(fmax(tan(alpha1), f->fall_least), FALL_MOST);
-}
-
-void aspi_field_first_hits(const aspi_field *f, double fall, double *weight) {
-  double rise = fall * f->step[0], highest = -INFINITY;
-  for (ptrdiff_t k = -f->columns; k < f->columns; k++) {
-    ptrdiff_t i = k < 0 ? k + f->columns : k;
-    double g = f->z[next_of(i, f->columns)] + rise * (double)(k + 1);
-    weight[i] = g > highest && k >= 0 ? (g - highest) / (rise * (double)f->columns) : 0;
-    highest = g > highest ? g : highest;
-  }
-}
-
-/* ---- flying ---- */
-
 static double bilinear(const double z[4], double u, double v) {
   return (1 - v) * ((1 - u) * z[0] + u * z[1]) + v * ((1 - u) * z[2] + u * z[3]);
 }
@@ -248,18 +39,19 @@ static double along(const ray *r, int axis, double t) {
 }
 
 /* Height of the surface of a cell, u and v from its first corner. */
-static double height(const aspi_field *f, const cell *c, double u, double v) {
+static double height(const aspi_field *f, const aspi_cell *c, double u, double v) {
   return f->axes > 1 ? bilinear(c->z, u, v) : c->z[0] + u * (c->z[1] - c->z[0]);
 }
 
 /* Height of the flight over the surface of a cell. */
-static double over(const aspi_field *f, const ray *r, const cell *c, double t) {
+static double over(const aspi_field *f, const ray *r, const aspi_cell *c, double t) {
   return along(r, 2, t) - height(f, c, along(r, 0, t) - c->at[0], along(r, 1, t) - c->at[1]);
 }
 
 /* The exact time between t[0] and t[1] at which the flight meets the surface of a cell: over() is a
  * parabola, over a row a line. False if it does not come from above. */
-static bool meets(const aspi_field *f, const ray *r, const cell *c, const double t[2], double *at) {
+static bool meets(const aspi_field *f, const ray *r, const aspi_cell *c, const double t[2],
+                  double *at) {
   double a = over(f, r, c, t[0]), b = over(f, r, c, t[1]), curve = 0;
   if (f->axes > 1)
     curve = 2 * (a + b - 2 * over(f, r, c, 0.5 * (t[0] + t[1])));
@@ -290,7 +82,7 @@ static ptrdiff_t clamped(double x, ptrdiff_t first, ptrdiff_t end) {
 
 /* True if the sphere lies between two contacts somewhere in a cell: its contact moves by more than
  * ASPI_KINK cells along an edge of it. */
-static bool has_kink(const aspi_field *f, const cell *c) {
+static bool has_kink(const aspi_field *f, const aspi_cell *c) {
   double x = fmax(c->point[1][1] - c->point[0][1], c->point[3][1] - c->point[2][1]);
   double y = fmax(c->point[2][2] - c->point[0][2], c->point[3][2] - c->point[1][2]);
   return f->radius * x > (ASPI_KINK - 1) * f->step[0] ||
@@ -299,7 +91,7 @@ static bool has_kink(const aspi_field *f, const cell *c) {
 
 /* The change of a contact's gradient per step along an axis, toward the cell from its corner k: the
  * same as from the next point behind the corner, unless there is a kink or an edge between them. */
-static double bend_at(const aspi_field *f, const cell *c, int k, int axis) {
+static double bend_at(const aspi_field *f, const aspi_cell *c, int k, int axis) {
   const ptrdiff_t side = axis ? f->rows : f->columns;
   ptrdiff_t at[2] = {(ptrdiff_t)c->at[0] + k % 2, (ptrdiff_t)c->at[1] + k / 2};
   const int way = (axis ? k / 2 : k % 2) ? 1 : -1;
@@ -315,7 +107,7 @@ static double bend_at(const aspi_field *f, const cell *c, int k, int axis) {
 
 /* The highest tangent plane of the corners of a cell at a place is of one on the same side of the
  * kink; the gradient changes toward it as before. */
-static aspi_touch highest_tangent(const aspi_field *f, const cell *c, double u, double v) {
+static aspi_touch highest_tangent(const aspi_field *f, const aspi_cell *c, double u, double v) {
   int best = 0;
   double most = -INFINITY;
   for (int k = 0; k < 4; k++) {
@@ -333,7 +125,7 @@ static aspi_touch highest_tangent(const aspi_field *f, const cell *c, double u, 
 /* The contact at a place of a cell: between those at its corners, or in a kink that of one of them.
  * The mean of the heights by the corners' heights and by their tangent planes is exact for a
  * parabola. */
-static aspi_touch touch_in(const aspi_field *f, const cell *c, double u, double v) {
+static aspi_touch touch_in(const aspi_field *f, const aspi_cell *c, double u, double v) {
   double p[4], q[4], z[4];
   if (has_kink(f, c))
     return highest_tangent(f, c, u, v);
@@ -347,14 +139,14 @@ static aspi_touch touch_in(const aspi_field *f, const cell *c, double u, double 
 
 aspi_touch aspi_field_at(const aspi_field *f, const double place[2]) {
   const ptrdiff_t at[2] = {clamped(place[0], 0, f->cells[0]), clamped(place[1], 0, f->cells[1])};
-  cell c = cell_at(f, at);
+  aspi_cell c = aspi_cell_at(f, at);
   return touch_in(f, &c, place[0] - c.at[0], place[1] - c.at[1]);
 }
 
 /* The gradient at a place of a cell: that of the contact if the particle approaches that face; else
  * that of the surface. */
-static void gradient_at(const aspi_field *f, const cell *c, double u, double v, const double way[3],
-                        double gradient[2]) {
+static void gradient_at(const aspi_field *f, const aspi_cell *c, double u, double v,
+                        const double way[3], double gradient[2]) {
   if (f->axes == 1) {
     gradient[0] = (c->z[1] - c->z[0]) / f->step[0];
     gradient[1] = 0;
@@ -386,7 +178,7 @@ static void reenter(const aspi_field *f, ray *r, double t, int axis, ptrdiff_t a
     y += GOLDEN * width;
     y = y < width ? y : y - width;
     at[!axis] = clamped(y, 0, m);
-    if (*top_of(f, 0, at[0], at[1]) < along(r, 2, t))
+    if (*aspi_field_top(f, 0, at[0], at[1]) < along(r, 2, t))
       break;
   }
   r->x[!axis] = y - t * r->v[!axis];
@@ -436,8 +228,8 @@ static void leave(const aspi_field *f, walk *w) {
 }
 
 /* Puts the particle on the surface where it hits at time t, and sets the gradient there. */
-static void land(const aspi_field *f, const walk *w, const cell *c, double t, const double way[3],
-                 aspi_spot *spot, double gradient[2]) {
+static void land(const aspi_field *f, const walk *w, const aspi_cell *c, double t,
+                 const double way[3], aspi_spot *spot, double gradient[2]) {
   for (int a = 0; a < 2; a++)
     spot->x[a] = fmin(fmax(along(&w->r, a, t), c->at[a]), c->at[a] + 1);
   double u = spot->x[0] - c->at[0], v = spot->x[1] - c->at[1];
@@ -451,7 +243,7 @@ static void land(const aspi_field *f, const walk *w, const cell *c, double t, co
  * the surface since it started; under: cells that it has left below the surface until then. */
 static bool hits(const aspi_field *f, const walk *w, const double way[3], bool *clear, int *under,
                  aspi_spot *spot, double gradient[2]) {
-  cell c = cell_at(f, w->at);
+  aspi_cell c = aspi_cell_at(f, w->at);
   double span[2] = {w->t, w->last}, at = w->t;
   bool met = *clear && meets(f, &w->r, &c, span, &at), below_all = way[2] < 0 && w->last >= w->most;
   if (met || below_all) {
@@ -489,7 +281,7 @@ bool aspi_field_next(const aspi_field *f, const double way[3], aspi_spot *spot,
     if (way[2] > 0 && w.t >= w.most)
       return false;
     int shift = 2 * w.level;
-    double top = *top_of(f, w.level, w.at[0] >> shift, w.at[1] >> shift);
+    double top = *aspi_field_top(f, w.level, w.at[0] >> shift, w.at[1] >> shift);
     bool passes = along(&w.r, 2, w.t) > top;
     if (passes || w.level == 0) {
       find_end(f, &w);
