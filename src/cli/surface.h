@@ -1,5 +1,5 @@
 /* Functions shared by the files of `asperity surface`: generated and measured profiles (surface.c),
- * and measured maps (surface_map.c).
+ * how a file is read (surface_file.c), and measured maps (surface_map.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #pragma once
@@ -15,6 +15,13 @@ typedef struct cli_measured {
   asp_heights_numbers numbers;
   const char *name; /* of its file */
 } cli_measured;
+
+/* Reads and describes a file. Warns of the reader's doubts, and of a sampling that is too coarse
+ * for the smallest size; exits if the points do not resolve a particle. */
+cli_measured cli_surface_read(const cli_call *call, const char *file, bool is_map,
+                              const cli_list *sizes);
+/* Prints how a profile was read, and its numbers, as comments. */
+void cli_surface_describe(FILE *out, const cli_measured *profile);
 
 /* All of `asperity surface` of a map: its numbers, and the slopes that a sphere of each size finds
  * on it. */

@@ -33,3 +33,13 @@ refuses() {
   [ "$(grep -vc "^asperity: warning: " err)" = 1 ] || die "not one line of message: asperity $*: $(cat err)"
   for word in "${words[@]}"; do grep -qF -- "$word" err || die "'$word' is not in: $(cat err)"; done
 }
+
+# refuses_rows SECTION: each row of it in refused.txt: arguments of the command, and words of what it says, parted by @.
+refuses_rows() {
+  local row words arguments
+  while read -r row; do
+    readarray -t words < <(sed 's/ *@ */\n/g' <<< "$row")
+    read -ra arguments <<< "${words[0]}"
+    refuses 2 "${words[@]:1}" -- "${arguments[@]}"
+  done < <(sed -n "/^\[$1\]$/,/^$/p" "$root/tests/cli/refused.txt" | sed '/^\[/d; /^$/d')
+}

@@ -91,24 +91,10 @@ gnuplot -d -c scripts/cor.gp drawn.csv own.svg 'My title' 500x300 0:2 && grep -q
 ! gnuplot -d -c scripts/cor.gp 2> err && grep -q usage: err || die "a script without arguments"
 
 # bad usage
-refuses 2 "--help" --
-refuses 2 "'sprad'" "did you mean 'spread'" -- sprad
-refuses 2 "--sampels" "did you mean '--samples'" -- spread --sampels 10
-refuses 2 "'--sigma' is a word of the description" "surface sigma ANGLE" -- cor --sigma 5
-refuses 2 "'rebound' has no effect" "surface spread seed" -- spread surface sigma 10 rebound bons
-refuses 2 "needs a value" -- spread --dp
-refuses 2 "--dp LENGTH is missing" -- spread surface rq 5um lambda_c 40um
 refuses 2 "--speed is 0; it must be 1e-09 to 1e+06 m/s" -- cor surface sigma 5 --speed 0
-refuses 2 "--samples" "whole number" -- spread surface sigma 10 --samples -5
 refuses 2 "--dp is '5', i.e. 5 m; did you mean 5um?" -- cor --dp 5,10um
-refuses 2 "'--pdf' takes no value" -- spread surface sigma 5 --pdf=3
-refuses 2 "'surface' is not expected" "before" -- cor --samples 3 surface sigma 5
 refuses 2 "min < median < max" "from:to:step" -- cor --dp lognormal:1um:10um:100um
-refuses 2 "a list is a,b,c or from:to:step" -- cor --dp 1um:5um
-refuses 2 "0 to 90" -- cor --angles 5:95:5
-refuses 2 "--angles" "more than 0" -- cor --angles 0
-refuses 2 "no density" -- spread --pdf
-refuses 2 ".png, .svg or .pdf" -- spread surface sigma 10 --plot picture.bmp
+refuses_rows 'commands, with pictures'
 refuses 1 "/nowhere/x.csv" "No such file" -- spread surface sigma 10 -o /nowhere/x.csv
 [ ! -e picture.bmp ] || die "half a picture was left"
 "$asperity" cor --samples 5000 -o /dev/full 2> err && die "a full disk went unnoticed"

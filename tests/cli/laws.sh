@@ -17,11 +17,6 @@ draws
 "$asperity" cor --capture --samples 1 --plot capture.svg > c 2> err || die "capture --plot: $(cat err)"
 [ "$(rows c | wc -l)" = 3721 ] && [ "$(rows c | sed -n '1p;$p' | cut -d, -f 1,2 | paste -sd' ')" = "0.5,0.1 200,1000" ] || die "the grid of capture: $(head -n 3 c)"
 grep -q 'share that sticks' capture.svg || die "capture --plot"
-refuses 2 "'1um,5um:200um'" "from:to:step" -- cor --capture --dp 1um,5um:200um
-refuses 2 "--dp is a log-normal law" -- cor --capture --dp lognormal:1um:9um:3um
-refuses 2 "--dp has" "must rise" -- cor --capture --dp 50um,10um
-refuses 2 "one angle" -- cor --capture --angles 10,20
-refuses 2 "--columns ledger is given with --capture" -- cor --capture --columns ledger
 
 # What sticks by its viscosity is min(1, 10^(8.5 - 9000/(T - 500))) of the impacts at each temperature, a column of its own.
 hot='rebound walton 0.8 0.3 0 deposit delete viscosity critical 1e4 vft -4.5 9000 500'
@@ -69,7 +64,7 @@ grep -q "warning: cor_t: 1 of 2 bins" err || die "compare: empty bins: $(cat err
 
 # what goes wrong
 printf '\xef\xbb\xbfalpha1_deg\tcor_n\r\n30\t0,5\r\n' > bom.csv; "$asperity" compare gt.csv bom.csv > s || die "compare: byte-order mark"
-refuses 2 "no.csv" -- compare gt.csv no.csv
+refuses_rows laws
 printf 'alpha1_deg,bounce\n30,0.5\n' > bad.csv; refuses 2 "neither impacts nor means" -- compare gt.csv bad.csv
 printf 'alpha1_deg,cor_n,cor_n_mean\n30,0.5,0.5\n' > bad.csv; refuses 2 "both impacts and means" -- compare gt.csv bad.csv
 bad() { printf '%b' "$1" > bad.csv; shift; refuses 2 bad.csv "$@" -- compare gt.csv bad.csv; }

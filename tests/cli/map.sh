@@ -80,13 +80,8 @@ refuses 2 "no map of impacts" -- map two.stl
 refuses 2 "LEDGER and MESH" -- map
 refuses 2 "'x' is missing" -- map <(cut -d, -f1-5,9-14 ledger) two.stl
 draws
-refuses 2 "--clip is 'q:1:2'" "AXIS:FROM:TO" -- map ledger two.stl --clip q:1:2 --plot map.png
-refuses 2 "--view is '30'" "AZ,EL" -- map ledger two.stl --view 30 --plot map.png
-refuses 2 "--clip leaves nothing" -- map ledger two.stl --scale 1e-3 --clip z:1: --plot map.png
-refuses 2 "--of is 'wear'" "no erosion" -- map few two.stl --scale 1e-3 --of wear --plot map.png
-refuses 2 "two.vtp" ".vtk" -- map ledger two.stl -o two.vtp
 refuses 2 "1 numbers of 'impacts' for 2 faces" -- map <(sed 's/^3 4/3 text/' foam.vtk)
 refuses 2 "it is binary" -- map <(sed 's/^ASCII/BINARY/' foam.vtk)
 refuses 2 "a face has the point 9 of 8" -- map <(sed 's/^4 4 5 6 7/4 4 5 6 9/' foam.vtk)
-refuses 2 "cannot open" "none.stl" -- map ledger none.stl
+refuses_rows 'map, with pictures'
 "$asperity" map ledger two.stl --scale 1e-6 2> err > out; grep -q "7 of 7 impacts are outside of two.stl.*--scale" err || die "no doubt about the scale"

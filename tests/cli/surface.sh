@@ -23,20 +23,16 @@ grep -q '^# profile profile.csv: 131072 points read, 0 bad' m || die "surface --
 grep -q '^# for particles of 10 um by numbers: surface rq [45].*um rdq 0.1[78]' m || die "surface --profile: words: $(cat m)"
 ! grep -q 'more than one wave' m || die "a wall of one wave has more: $(cat m)"
 
-refuses 2 "'seed' has no effect" -- surface surface profile profile.csv seed 2
 
 # What is read is not replaced.
 for output in "-o profile.csv" "--save ./profile.csv"; do
   refuses 2 "which is read" -- surface surface profile profile.csv --dp 10um $output
 done
-refuses 2 "which is read" -- cor surface profile profile.csv --dp 10um --speed 10 --angles 20 -o profile.csv
 
 # Options of the reader.
 awk 'BEGIN { srand(1); for (i = 0; i < 3000; i++) { z = z * 0.95 + rand() - 0.5
   if (i >= 500 && i < 504) continue
   printf "%.1f;%s\n", i * 0.5, i == 900 ? "nan" : i == 1500 ? 80 : z + i * 0.02 + 1e-6 * i * i } }' > raw.txt
-refuses 2 raw.txt:1 'no unit of length is stated' -- surface surface profile raw.txt
-refuses 2 raw.txt: 'bad or missing points' -- surface surface profile raw.txt --unit um
 "$asperity" surface surface profile raw.txt --unit um --gaps fill --spikes 20 --form 2 --dp 20um > m 2> err
 grep -q ' 1 bad, unequal spacing .*, 1 spikes, 6 points filled in (longest gap 4)' m || die "gaps: $(cat m)"
 grep -q 'polynomial of degree 2' m || die "form"
@@ -49,9 +45,7 @@ printf 'aISO-1.0\nNumPoints = 200\nNumProfiles = 40\nXscale = 1e-6\nYscale = 2e-
 awk 'BEGIN { srand(2); for (i = 0; i < 8000; i++) { s = i % 200; print sin(s * 0.4) + cos(int(i / 200) * 0.4) + 0.1 * rand() } }' >> map.sdf
 # The options that a message names read the file.
 awk 'BEGIN { srand(4); print "n,a,b"; for (i = 0; i < 900; i++) print i "," 0.5 * i "," (i == 70 ? -9999 : rand()) }' > lettered.csv
-refuses 2 "asperity surface --x-column 1 --column 2" -- surface surface profile lettered.csv --unit um
 sed 's/n,a,b/n,x_um,z_um/' lettered.csv > marked.csv
-refuses 2 "marked.csv:72: height -9999 beside heights of" "asperity surface --missing -9999" -- surface surface profile marked.csv
 "$asperity" surface surface profile lettered.csv --unit um --x-column a --column 3 --missing -9999 --gaps fill --lambda_s 9um --dp 20um 2> err |
   grep -q '900 points read, 1 bad, of columns 2 and 3, 1 points filled in' || die "--x-column --column --missing: $(cat err)"
 "$asperity" surface surface profile map.sdf --dp 4um --row 7 2>&1 | grep -q '200 points; ' || die "--row"
@@ -80,20 +74,15 @@ near "$(rq_of --lambda_s 8um)" 0.0791 0.01 "half of the short wave is left"
 
 # Heights that cannot be roughness.
 { echo x_um,z_um; awk 'BEGIN { srand(3); for (i = 0; i < 4000; i++) print i "," rand() }'; } > noise.csv
-refuses 2 noise.csv 'spacings of the points' --lambda_s -- surface surface profile noise.csv --dp 20um
 "$asperity" surface surface profile noise.csv --dp 20um --lambda_s 20um > /dev/null 2> err || die "noise filtered: $(cat err)"
 { echo x_um,z_um; awk 'BEGIN { for (i = 0; i < 4000; i++) print i * 0.001 "," 10 * sin(i * 0.01) }'; } > steep.csv
-refuses 2 steep.csv 'phi_r' --unit -- surface surface profile steep.csv --dp 0.1um
 
-refuses 2 map.sdf 'unit is given' SDF -- surface surface profile map.sdf --unit um
 refuses 2 'row 2 is asked for; the text has 1 trace' -- surface surface profile waves.csv --row 2
-refuses 2 --dp "the map's points" -- surface surface map map.sdf --dp 1um
 "$asperity" surface surface map map.sdf --dp 12um 2> err > /dev/null
 grep -q 'map.sdf: .*covers 6 points .*correlation lengths long' err || die "few points of a map per particle"
 
 # Options that say nothing of the wall at hand, and lengths that were forgotten a unit.
-refuses 2 --gaps 'does not apply to' -- surface surface rq 5um lambda_c 40um --gaps fill
-refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --points 8192
+refuses_rows surface
 
 # Lists of walls: a row per wall and diameter, the seed of each one more than that before.
 "$asperity" surface surface rq 2um,5um lambda_c 40um:80um:40um seed 4 --dp 10um,50um --points 8192 > many
@@ -101,7 +90,6 @@ refuses 2 --points "'surface profile'" -- surface surface profile waves.csv --po
 "$asperity" surface surface rq 5um lambda_c 80um seed 7 --dp 10um,50um --points 8192 > one
 cmp <(rows many | tail -n 2) <(rows one) || die "a list of walls and one of them"
 draws
-refuses 2 '--plot is given' 'it takes one' -- surface surface rq 2um,5um lambda_c 40um --plot m.svg
 
 # The same on any number of threads, and the slope by the size law, s = sqrt(2) phi_r (1 + 0.92 kappa^3)^(-1/6).
 grid=(surface surface rq 2um,10um lambda_c 40um,400um --dp 40um,200um --points 131072)
@@ -115,16 +103,9 @@ rows d | awk -F, '{ d = $6 / (sqrt(2) * $4 * (1 + 0.92 * $5 ^ 3) ^ (-1 / 6)) - 1
 head -c 8 s.png | grep -q PNG && [ "$(wc -c < s.png)" -gt 10000 ] || die "surface --plot"
 
 # Bad usage.
-refuses 2 "surface is 'sigma'" -- surface surface sigma 10
-refuses 2 "'friction' has no effect" -- surface surface rq 5um lambda_c 40um friction 0.3
-refuses 2 --gaps bend refuse fill -- surface surface profile profile.csv --gaps bend
-refuses 2 --form 12 '0 to 9' -- surface surface profile profile.csv --form 12
-refuses 2 --points 100 4096 -- surface surface rq 5um lambda_c 40um --points 100
-refuses 2 --dp 'valid up to' -- cor surface rq 20um lambda_c 40um spread truncated --dp 2mm
 "$asperity" spread surface rq 20um lambda_c 40um --dp 2mm --angles 20 -o x 2> err && die "spread beyond the table"
 grep -q -- '--dp: .* valid up to' err || die "spread beyond the table: $(cat err)"
-refuses 2 --dp 0.1um 0.5um -- surface surface profile waves.csv --dp 0.1um
-refuses 2 d_p "profile's length" -- surface surface profile waves.csv --dp 1m
+refuses_rows 'surface, with pictures'
 [ -z "$(ls ./*.partial 2> /dev/null)" ] || die "a partial file is left"
 
 # The picture has all of the particle, also where it bridges the most at the end of the profile.

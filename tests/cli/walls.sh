@@ -63,8 +63,5 @@ for wall in "sigma 8" "rq 5um lambda_c 40um 90um lay 20" "profile plateau" "map 
 done
 grep -q '# description, .* surface map map spread traced ' fit || die "calibrate surface map: the description: $(cat fit)"
 
-refuses 2 "'traced' has no density" -- spread surface map map --dp 5um --pdf
-refuses 2 "'lay' is given" "plane of incidence" -- trade surface rq 5um lambda_c 40um 80um lay 90 --dp 5um
-refuses 2 "'surface map' is given" -- trade surface map map --dp 5um
-refuses 2 '--ensemble has no effect' -- trade surface profile plateau --dp 5um --ensemble 5
+refuses_rows walls
 exit 0
