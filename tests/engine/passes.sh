@@ -113,8 +113,8 @@ region box0 block -0.01 0.01 -0.01 0.01 -0.01 0.01 units box rotate v_turn 0 0 0
 done
 [ $simulator = lammps ] || exit 0
 
-# Grains without friction, and with a little, that ride fast in the corners of a closed cone at rest, by 0.07 rad in a step:
-# none gains more than a 2000th of its energy (2e-4 was seen).
+# Grains without friction, and with a little, that ride fast in the corners of a closed cone at rest, by up to 0.07 rad in a
+# step: none gains energy but what the velocity at a step's end lacks on a curve, 1 - cos^2(0.035) = 1.2e-3 (2e-4 was seen).
 for friction in 0 0.03; do
   { soft "-0.03 0.03 -0.03 0.03 -0.03 0.03"
     awk 'BEGIN { for (i = 1; i <= 40; i++) { a = 0.157 * i; r = 0.0068 - 0.0004 * (i % 4) * 0.5; z = -0.0085 + 0.0003 * (i % 4); v = 0.2 + 0.02 * i
@@ -133,6 +133,6 @@ least = {}
 assert len(a) == 40 * 2001
 for row in a:
     energy = hypot(row.vx, row.vy, row.vz) ** 2 + 0.4 * 0.0005 ** 2 * hypot(row.omegax, row.omegay, row.omegaz) ** 2
-    assert energy < least.get(row.id, inf) * (1 + 5e-4), (row.step, row.id, energy / least[row.id] - 1)
+    assert energy < least.get(row.id, inf) * (1 + 1.2e-3), (row.step, row.id, energy / least[row.id] - 1)
     least[row.id] = min(energy, least.get(row.id, inf))" || die "grains in a cone, friction $friction"
 done
