@@ -6,8 +6,6 @@
 add_library(asperity_dem STATIC
   base/error.c
   base/number.c
-  contact/cylinder.c
-  contact/plane.c
   contact/stl.c
   contact/tree.c
   contact/tree_sweep.c

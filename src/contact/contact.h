@@ -1,9 +1,6 @@
-/* The first contact of a sphere on a straight path with a plane, a cylinder or a triangle. Pure
- * geometry: no engine, no roughness, no physics. Lengths and times are in any consistent units. A
- * wall piece is at rest; for a moving one the caller passes the path relative to it.
- *
- * All functions take the path, the sphere's radius, and the latest time of interest. They return
- * true if there is a contact at or before it, and fill `touch` then.
+/* The first contact of a sphere on a straight path with a triangle. Pure geometry: no engine, no
+ * roughness, no physics. Lengths and times are in any consistent units. A triangle is at rest; for
+ * a moving one the caller passes the path relative to it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #pragma once
@@ -30,28 +27,6 @@ typedef struct ContactTouch {
                    edge or a corner */
 } ContactTouch;
 
-/* The plane x[axis] = at, met from both sides. axis 0 to 2. */
-typedef struct ContactPlane {
-  int axis;
-  double at;
-} ContactPlane;
-
-bool aspi_plane_find(const ContactPlane *plane, const ContactPath *path, double radius,
-                     double latest, ContactTouch *touch);
-
-/* A cylinder of infinite length around an axis parallel to a coordinate axis, through `center`
- * (whose component along the axis is not used), met from inside or outside. A sphere inside that is
- * wider than the cylinder is put back on the axis. */
-typedef struct ContactCylinder {
-  int axis;
-  double center[3], radius;
-} ContactCylinder;
-
-/* A sphere that touches the inside and slides along it, with next to no normal speed, but would
- * leave the wall's curve by the end of its path, touches at time 0; v.n may be 0 then. */
-bool aspi_cylinder_find(const ContactCylinder *cylinder, const ContactPath *path, double radius,
-                        double latest, ContactTouch *touch);
-
 /* A triangle, met from both sides, at its edges and corners too. A degenerate one is its edges. */
 typedef struct ContactTriangle {
   double node[3][3];
@@ -69,6 +44,7 @@ bool aspi_triangle_is_under(const ContactTriangle *triangle, const double x[3], 
                             double *height);
 double aspi_triangle_area(const ContactTriangle *triangle);
 
+/* The first contact of the path of a sphere at or before `latest`; false: none. */
 bool aspi_triangle_find(const ContactTriangle *triangle, const ContactPath *path, double radius,
                         double latest, ContactTouch *touch);
 

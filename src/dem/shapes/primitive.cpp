@@ -13,59 +13,55 @@
 
 using namespace asperity;
 
-namespace {
-
-ContactPath contact_path(const Path &path) {
-  ContactPath p;
-  aspi_copy(path.x, p.x);
-  aspi_copy(path.v, p.v);
-  p.left = path.left;
-  return p;
-}
-
-void take_over(const ContactTouch &touch, const Path &path, Contact &contact) {
-  contact.time = touch.time;
-  contact.overlapped = touch.overlapped;
+/* The contact of a path at a time, of a sphere that overlaps by so much along n. */
+static void fill(const Path &path, double time, const double n[3], double overlap,
+                 Contact &contact) {
+  contact.time = time;
+  contact.overlapped = overlap > 0;
   contact.piece = contact.face = 0;
   contact.follow = contact.curve = contact.chord = 0;
-  contact.approach_speed = -aspi_dot(path.v, touch.n);
-  aspi_copy(touch.n, contact.n);
-  aspi_copy(touch.n, contact.n_end);
-  aspi_add_scaled(path.x, touch.time, path.v, contact.x);
-  aspi_add_scaled(contact.x, touch.overlap, touch.n, contact.x);
+  contact.approach_speed = -aspi_dot(path.v, n);
+  aspi_copy(n, contact.n);
+  aspi_copy(n, contact.n_end);
+  aspi_add_scaled(path.x, time, path.v, contact.x);
+  aspi_add_scaled(contact.x, overlap, n, contact.x);
 }
 
-} // namespace
-
-PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) {
-  plane_.axis = axis;
-  plane_.at = at;
+PlaneShape::PlaneShape(int axis, double at, const double velocity[3]) : axis_(axis), at_(at) {
   aspi_copy(velocity, v_);
 }
 
 double PlaneShape::clear(const Course &course, const FaceList &stays) const {
   if (stays.count > 0)
     return course.most;
-  const double off = course.x[plane_.axis] - plane_.at, gap = fabs(off) - course.reach;
-  const double closing = course.widen + (off > 0 ? -course.v[plane_.axis] : course.v[plane_.axis]);
+  const double off = course.x[axis_] - at_, gap = fabs(off) - course.reach;
+  const double closing = course.widen + (off > 0 ? -course.v[axis_] : course.v[axis_]);
   return !(gap > 0) ? 0 : closing * course.most > gap ? gap / closing : course.most;
 }
 
+/* The side of a center on the plane is the one that it comes from. */
 bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
-  ContactTouch touch;
-  const ContactPath p = contact_path(path);
-  if (!aspi_plane_find(&plane_, &p, radius, latest, &touch))
+  const double off = path.x[axis_] - at_, v = path.v[axis_], gap = fabs(off) - radius;
+  const bool centered = fabs(off) <= SUM_ROUNDING * radius;
+  const double side = centered ? (v > 0 ? -1 : 1) : off > 0 ? 1 : -1, approach = -side * v;
+  if (!(approach > APPROACH * aspi_length(path.v)))
     return false;
-  take_over(touch, path, contact);
+  const double time = gap > 0 ? gap / approach : 0;
+  if (!(time <= latest))
+    return false;
+  double n[3] = {0, 0, 0};
+  n[axis_] = side;
+  fill(path, time, n, gap < -TOUCHING * radius ? -gap : 0, contact);
+  contact.overlapped = contact.overlapped || centered;
   aspi_copy(v_, contact.v_wall);
   return true;
 }
 
 bool PlaneShape::under(int face, const double x[3], const double[3], double reach, Contact &at,
                        double &distance) const {
-  const double off = x[plane_.axis] - plane_.at;
+  const double off = x[axis_] - at_;
   at.face = face;
-  at.n[plane_.axis] = off < 0 ? -1 : 1;
+  at.n[axis_] = off < 0 ? -1 : 1;
   aspi_copy(v_, at.v_wall);
   distance = fabs(off);
   return distance <= reach;
@@ -79,18 +75,16 @@ void PlaneShape::carry(Place &place, double, double dt, double x[3], double v[3]
 
 CylinderShape::CylinderShape(int axis, const double center[3], double radius, double along,
                              double turn)
-    : along_(along), turn_(turn) {
-  cylinder_.axis = axis;
-  cylinder_.radius = radius;
-  aspi_copy(center, cylinder_.center);
-  cylinder_.center[axis] = 0;
+    : axis_(axis), radius_(radius), along_(along), turn_(turn) {
+  aspi_copy(center, center_);
+  center_[axis] = 0;
 }
 
 double CylinderShape::clear(const Course &course, const FaceList &) const {
   double v[3];
   aspi_copy(course.v, v);
-  v[cylinder_.axis] = 0;
-  const double gap = fabs(axis_distance(course.x) - cylinder_.radius) - course.reach;
+  v[axis_] = 0;
+  const double gap = fabs(axis_distance(course.x) - radius_) - course.reach;
   const double closing = course.widen + aspi_length(v);
   return !(gap > 0) ? 0 : closing * course.most > gap ? gap / closing : course.most;
 }
@@ -99,69 +93,112 @@ double CylinderShape::clear(const Course &course, const FaceList &) const {
  * angular speed. */
 void CylinderShape::velocity(const double x[3], double v[3]) const {
   double axis[3] = {0, 0, 0}, arm[3];
-  axis[cylinder_.axis] = 1;
-  aspi_subtract(x, cylinder_.center, arm);
+  axis[axis_] = 1;
+  aspi_subtract(x, center_, arm);
   aspi_cross(axis, arm, v);
   aspi_scale(turn_, v);
-  v[cylinder_.axis] = along_;
+  v[axis_] = along_;
 }
 
+/* The time at which the distance from the axis is `touching`. It is `distance` at first and the
+ * square root of a quadratic in time; 0 if it is beyond already and moves on, infinite for never.
+ * rate: half the initial growth of its square; square: of the speed, > 0. */
+static double chord_time(bool inside, double distance, double touching, double rate,
+                         double square) {
+  const double beyond = (distance - touching) * (distance + touching);
+  const double root = sqrt(fmax(0.0, rate * rate - square * beyond));
+  if (inside) {
+    if (rate > 0)
+      return beyond < 0 ? -beyond / (rate + root) : 0;
+    return (root - rate) / square;
+  }
+  if (rate >= 0 || (beyond > 0 && !(root > 0)))
+    return HUGE_VAL;
+  return beyond > 0 ? beyond / (root - rate) : 0;
+}
+
+/* A sphere that touches the inside and slides along it, with next to no normal speed, but would
+ * leave the wall's curve by the end of its straight path, touches at time 0. One that is wider than
+ * the cylinder is put back on the axis at the end of its path. */
 bool CylinderShape::find(const Path &path, double radius, double latest, Contact &contact) const {
-  ContactTouch touch;
-  const ContactPath p = contact_path(path);
-  if (!aspi_cylinder_find(&cylinder_, &p, radius, latest, &touch))
+  double v[3], arm[3], n[3];
+  aspi_copy(path.v, v);
+  aspi_subtract(path.x, center_, arm);
+  v[axis_] = arm[axis_] = 0;
+  const double distance = aspi_length(arm), square = aspi_dot(v, v);
+  const bool inside = distance < radius_;
+  const double touching = inside ? fmax(0.0, radius_ - radius) : radius_ + radius;
+  if (!(square > 0))
     return false;
-  take_over(touch, path, contact);
+  const double rate = aspi_dot(arm, v), speed = sqrt(square);
+  const bool touches = inside && fabs(distance - touching) <= TOUCHING * radius;
+  const bool wide = inside && !(touching > 0);
+  double time =
+      wide ? path.left : chord_time(inside, touches ? touching : distance, touching, rate, square);
+  if (!(time <= latest))
+    return false;
+  if (touches && !wide && time < path.left && fabs(rate) <= GRAZING * speed * distance)
+    time = 0;
+  aspi_add_scaled(arm, time, v, n);
+  if (inside)
+    aspi_scale(-1, n);
+  const double length = aspi_length(n), approach = -aspi_dot(v, n);
+  const bool slides = inside && time < path.left && fabs(approach) <= GRAZING * speed * length;
+  if (!(length > 0) || !(wide || slides || approach > APPROACH * speed * length))
+    return false;
+  aspi_scale(1 / length, n);
+  const double overlap = inside ? length - touching : touching - length;
+  fill(path, time, n, overlap > TOUCHING * radius ? overlap : 0, contact);
   velocity(contact.x, contact.v_wall);
-  const double distance = axis_distance(contact.x);
-  if (!(distance > 0 && distance < cylinder_.radius))
+  const double there = axis_distance(contact.x);
+  if (!(there > 0 && there < radius_))
     return true; /* a path along the outside does not come into the wall */
   double axis[3] = {0, 0, 0}, around[3];
-  axis[cylinder_.axis] = 1;
+  axis[axis_] = 1;
   aspi_cross(axis, contact.n, around);
-  const double speed = aspi_dot(path.v, around);
-  contact.curve = speed * speed / distance;
-  contact.chord = chord_speed(contact.curve, fabs(speed), path.left - touch.time);
+  const double along = aspi_dot(path.v, around);
+  contact.curve = along * along / there;
+  contact.chord = chord_speed(contact.curve, fabs(along), path.left - time);
   contact.approach_speed += contact.chord;
   return true;
 }
 
 double CylinderShape::axis_distance(const double x[3]) const {
   double arm[3];
-  aspi_subtract(x, cylinder_.center, arm);
-  arm[cylinder_.axis] = 0;
+  aspi_subtract(x, center_, arm);
+  arm[axis_] = 0;
   return aspi_length(arm);
 }
 
 bool CylinderShape::under(int face, const double x[3], const double v[3], double reach, Contact &at,
                           double &distance) const {
   at.face = face;
-  const double off = axis_distance(x), side = off < cylinder_.radius ? -1 : 1;
-  aspi_subtract(x, cylinder_.center, at.n);
-  at.n[cylinder_.axis] = 0;
+  const double off = axis_distance(x), side = off < radius_ ? -1 : 1;
+  aspi_subtract(x, center_, at.n);
+  at.n[axis_] = 0;
   aspi_scale(side / off, at.n);
   velocity(x, at.v_wall);
-  const double along = v[cylinder_.axis];
-  distance = fabs(off - cylinder_.radius);
+  const double along = v[axis_];
+  distance = fabs(off - radius_);
   if (side < 0)
     at.curve = (aspi_dot(v, v) - along * along) / off;
   return off > 0 && distance <= reach;
 }
 
 void CylinderShape::carry(Place &place, double, double dt, double x[3], double v[3]) const {
-  const int a = (cylinder_.axis + 1) % 3, b = (cylinder_.axis + 2) % 3;
+  const int a = (axis_ + 1) % 3, b = (axis_ + 2) % 3;
   const double c = cos(turn_ * dt), s = sin(turn_ * dt);
-  const double p = place.at[a] - cylinder_.center[a], q = place.at[b] - cylinder_.center[b];
-  place.at[a] = cylinder_.center[a] + (c * p - s * q);
-  place.at[b] = cylinder_.center[b] + (s * p + c * q);
-  place.at[cylinder_.axis] += along_ * dt;
+  const double p = place.at[a] - center_[a], q = place.at[b] - center_[b];
+  place.at[a] = center_[a] + (c * p - s * q);
+  place.at[b] = center_[b] + (s * p + c * q);
+  place.at[axis_] += along_ * dt;
   aspi_copy(place.at, x);
   velocity(x, v);
 }
 
 void CylinderShape::turn(const Place &, double share, double dt, double axes[3][3],
                          double omega[3]) const {
-  const int a = (cylinder_.axis + 1) % 3, b = (cylinder_.axis + 2) % 3;
+  const int a = (axis_ + 1) % 3, b = (axis_ + 2) % 3;
   const double angle = turn_ * (1 - share) * dt, c = cos(angle), s = sin(angle);
   for (int k = 0; k < 3; k++) {
     const double p = axes[k][a], q = axes[k][b];
@@ -169,7 +206,7 @@ void CylinderShape::turn(const Place &, double share, double dt, double axes[3][
     axes[k][b] = s * p + c * q;
   }
   omega[a] = omega[b] = 0;
-  omega[cylinder_.axis] = turn_;
+  omega[axis_] = turn_;
 }
 
 /* On a cylinder the lay is a helix with a fixed angle to the axis, so a turning wall does not
@@ -177,7 +214,7 @@ void CylinderShape::turn(const Place &, double share, double dt, double axes[3][
 void CylinderShape::lay(const asp_lay &lay, const Path &, const Contact &contact,
                         double direction[3]) const {
   double axis[3] = {0, 0, 0}, around[3];
-  axis[cylinder_.axis] = 1;
+  axis[axis_] = 1;
   aspi_cross(contact.n, axis, around);
   for (int d = 0; d < 3; d++)
     direction[d] = cos(lay.angle) * axis[d] + sin(lay.angle) * around[d];

@@ -7,25 +7,27 @@
 #include <memory>
 #include <string>
 
-#include "contact/contact.h"
+#include "contact/tolerances.h"
 #include "contact/vector.h"
 #include "dem/shapes/shape.h"
 #include "dem/text.h"
 
 namespace asperity {
 
-/* A plane that slides with a velocity along itself. */
+/* The plane x[axis] = at, axis 0 to 2, met from both sides, which slides with a velocity along
+ * itself.
+ */
 class PlaneShape : public Shape {
 public:
   PlaneShape(int axis, double at, const double velocity[3]);
   bool is_across(const double direction[3]) const override {
     double n[3] = {0, 0, 0};
-    n[plane_.axis] = 1;
+    n[axis_] = 1;
     return are_parallel(direction, n);
   }
   double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override {
-    return axis != plane_.axis;
+    return axis != axis_;
   }
   bool bars(int axis) const override {
     return !repeats(axis);
@@ -39,17 +41,19 @@ public:
   void carry(Place &place, double radius, double dt, double x[3], double v[3]) const override;
 
 private:
-  ContactPlane plane_;
-  double v_[3];
+  int axis_;
+  double at_, v_[3];
 };
 
-/* A cylinder that slides along its axis with `along`, or turns about it with `turn` (rad/time). */
+/* A cylinder of infinite length around an axis parallel to a coordinate axis, through `center`
+ * (whose component along the axis is not used), met from inside or outside. It slides along its
+ * axis with `along`, or turns about it with `turn` (rad/time). */
 class CylinderShape : public Shape {
 public:
   CylinderShape(int axis, const double center[3], double radius, double along, double turn);
   double clear(const Course &course, const FaceList &stays) const override;
   bool repeats(int axis) const override {
-    return axis == cylinder_.axis;
+    return axis == axis_;
   }
   bool bars(int axis) const override {
     return !repeats(axis);
@@ -73,8 +77,8 @@ private:
   void velocity(const double x[3], double v[3]) const;
   double axis_distance(const double x[3]) const;
 
-  ContactCylinder cylinder_;
-  double along_, turn_;
+  int axis_;
+  double center_[3], radius_, along_, turn_;
 };
 
 /* Reads `xplane C`, `yplane C`, `zplane C`, or `xcylinder R Y Z` (`ycylinder R Z X`, `zcylinder R X

@@ -3,18 +3,22 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
+#include <vector>
 
 #include "contact/contact.h"
 #include "contact/tree.h"
 #include "contact/vector.h"
+#include "dem/shapes/primitive.h"
 
 #include "check.h"
+
+using namespace asperity;
 
 enum { SAMPLES = 2000, CASES = 1000 };
 
 static uint32_t state = 12345;
 static double uniform(double lo, double hi) {
-  state = (uint32_t)(((uint64_t)state * 48271) % 2147483647);
+  state = static_cast<uint32_t>((static_cast<uint64_t>(state) * 48271) % 2147483647);
   return lo + (hi - lo) * state / 2147483647.0;
 }
 
@@ -58,38 +62,54 @@ static double brute_distance(const ContactTriangle *t, const double x[3]) {
   return best;
 }
 
-typedef struct Wall {
-  enum { PLANE, CYLINDER, TRIANGLE, TWO_NODES, LINE } kind; /* the last: degenerate triangles */
-  ContactPlane plane;
-  ContactCylinder cylinder;
+enum { PLANE, CYLINDER, TRIANGLE, TWO_NODES, LINE }; /* the last: degenerate triangles */
+
+struct Wall {
+  int kind, axis; /* of a plane, or of a cylinder */
+  double at, center[3], radius;
   ContactTriangle triangle;
-} Wall;
+};
 
 static double gap_of(const Wall *w, const double x[3], double radius) {
   double arm[3];
   if (w->kind == PLANE)
-    return fabs(x[w->plane.axis] - w->plane.at) - radius;
+    return fabs(x[w->axis] - w->at) - radius;
   if (w->kind != CYLINDER)
     return aspi_triangle_nearest(&w->triangle, x, arm) - radius;
-  aspi_subtract(x, w->cylinder.center, arm);
-  arm[w->cylinder.axis] = 0;
-  return fabs(aspi_length(arm) - w->cylinder.radius) - radius;
+  aspi_subtract(x, w->center, arm);
+  arm[w->axis] = 0;
+  return fabs(aspi_length(arm) - w->radius) - radius;
 }
 
 static bool find(const Wall *w, const ContactPath *path, double radius, double latest,
                  ContactTouch *touch) {
-  return w->kind == PLANE      ? aspi_plane_find(&w->plane, path, radius, latest, touch)
-         : w->kind == CYLINDER ? aspi_cylinder_find(&w->cylinder, path, radius, latest, touch)
-                               : aspi_triangle_find(&w->triangle, path, radius, latest, touch);
+  const double still[3] = {0, 0, 0};
+  Path way = {{}, {}, path->left, path->left, 0};
+  Contact contact;
+  if (w->kind >= TRIANGLE)
+    return aspi_triangle_find(&w->triangle, path, radius, latest, touch);
+  aspi_copy(path->x, way.x);
+  aspi_copy(path->v, way.v);
+  if (!(w->kind == PLANE ? PlaneShape(w->axis, w->at, still).find(way, radius, latest, contact)
+                         : CylinderShape(w->axis, w->center, w->radius, 0, 0)
+                               .find(way, radius, latest, contact)))
+    return false;
+  touch->time = contact.time;
+  touch->overlapped = contact.overlapped;
+  aspi_copy(contact.n, touch->n);
+  at(path, contact.time, way.x);
+  aspi_subtract(contact.x, way.x, way.x);
+  touch->overlap = aspi_dot(way.x, contact.n);
+  return true;
 }
 
 static void random_wall(int kind, Wall *w) {
   memset(w, 0, sizeof *w);
   w->kind = kind;
-  w->plane.axis = w->cylinder.axis = (int)uniform(0, 2.999);
-  w->plane.at = uniform(-1, 1);
-  random_vector(1, w->cylinder.center);
-  w->cylinder.radius = uniform(0.5, 2);
+  w->axis = static_cast<int>(uniform(0, 2.999));
+  w->at = uniform(-1, 1);
+  random_vector(1, w->center);
+  w->radius = uniform(0.5, 2);
   for (int k = 0; k < 3; k++)
     random_vector(1.5, w->triangle.node[k]);
   double(*node)[3] = w->triangle.node;
@@ -103,7 +123,7 @@ static void random_wall(int kind, Wall *w) {
  * and none where it stays above. */
 static void check_path(const Wall *w, const ContactPath *path, double radius) {
   double x[3];
-  ContactTouch touch;
+  ContactTouch touch = ContactTouch();
   const bool found = find(w, path, radius, path->left, &touch);
   double first = INFINITY, least = INFINITY;
   for (int i = 0; i <= SAMPLES; i++) {
@@ -203,14 +223,14 @@ TEST(test_overlap) {
     for (int i = 0; i < CASES;) {
       Wall w;
       ContactPath path;
-      ContactTouch touch;
+      ContactTouch touch = ContactTouch();
       const double radius = 0.3;
       random_wall(kind, &w);
       random_vector(2, path.x);
       random_vector(3, path.v);
       path.left = 1e-6;
       const double gap = gap_of(&w, path.x, radius);
-      if (gap > -1e-3 || gap < -0.29 || (kind == CYLINDER && w.cylinder.radius < 0.7))
+      if (gap > -1e-3 || gap < -0.29 || (kind == CYLINDER && w.radius < 0.7))
         continue;
       i++;
       double later[3];
@@ -230,7 +250,7 @@ TEST(test_overlap) {
 
 /* A plane, or a triangle in it. */
 static Wall flat_wall(int kind) {
-  return (Wall){.kind = kind, .plane = {2, 0}, .triangle = {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}}};
+  return Wall{kind, 2, 0, {}, 1, {{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}}}};
 }
 
 /* A center on the wall goes back to the side that it comes from. */
@@ -239,7 +259,7 @@ TEST(test_centered) {
     const double side = k % 2 ? 1 : -1;
     const Wall w = flat_wall(k < 2 ? PLANE : TRIANGLE);
     const ContactPath path = {{0, 0, 0}, {1, 0.5, 2 * side}, 1};
-    ContactTouch touch;
+    ContactTouch touch = ContactTouch();
     assert_true(find(&w, &path, 0.1, 1, &touch));
     assert_true(touch.overlapped && touch.n[2] * side < 0);
   }
@@ -249,9 +269,9 @@ TEST(test_centered) {
 TEST(test_none) {
   for (int k = 0; k < 2; k++) {
     const Wall w = flat_wall(k ? PLANE : TRIANGLE);
-    const ContactPath down = {{0, 0, 1.1}, {k ? 5 : 0, 0, -1}, 3};
+    const ContactPath down = {{0, 0, 1.1}, {k ? 5. : 0., 0, -1}, 3};
     ContactPath path = {{0, 0, 0.1}, {0, 0, 0}, 1};
-    ContactTouch touch;
+    ContactTouch touch = ContactTouch();
     assert_false(find(&w, &path, 0.1, 1, &touch));
     path.v[0] = 5;
     assert_false(find(&w, &path, 0.1, 1, &touch));
@@ -262,11 +282,11 @@ TEST(test_none) {
 
 /* A sphere wider than its cylinder is put back on the axis at the end of its path. */
 TEST(test_wide) {
-  const ContactCylinder tube = {0, {0, 0, 0}, 1};
+  const Wall tube = {CYLINDER, 0, 0, {}, 1, {}};
   const ContactPath path = {{0, 0.5, 0.1}, {1, -1, 0}, 2};
-  ContactTouch touch;
+  ContactTouch touch = ContactTouch();
   double x[3];
-  assert_true(aspi_cylinder_find(&tube, &path, 1.5, 2, &touch));
+  assert_true(find(&tube, &path, 1.5, 2, &touch));
   at(&path, touch.time, x);
   aspi_add_scaled(x, touch.overlap, touch.n, x);
   assert_true(hypot(x[1], x[2]) < 1e-12);
@@ -275,12 +295,12 @@ TEST(test_wide) {
 /* A sphere that touches the inside and slides along it touches at time 0, also where rounding turns
  * it inward a little; one that turns inward more flies to the other side. */
 TEST(test_sliding) {
-  const ContactCylinder tube = {2, {0, 0, 0}, 5};
+  const Wall tube = {CYLINDER, 2, 0, {}, 5, {}};
   const double inward[] = {0, 5e-7, 1e-3};
   for (int k = 0; k < 3; k++) {
     const ContactPath path = {{4.5, 0, 0}, {-3 * inward[k], 3, 0.1}, 2};
-    ContactTouch touch;
-    assert_true(aspi_cylinder_find(&tube, &path, 0.5, 2, &touch));
+    ContactTouch touch = ContactTouch();
+    assert_true(find(&tube, &path, 0.5, 2, &touch));
     assert_true(k < 2 ? !(touch.time > 0) : fabs(touch.time - 3 * inward[k]) < 1e-8);
     assert_false(touch.overlapped);
   }
@@ -295,7 +315,7 @@ static double off_box(const ContactTriangle *t, const double x[3], int d) {
 /* It is clear until the predicted time, which is not much too early: the sphere is then
  * at the box and at the plane of a triangle. */
 static void check_clear(const ContactTree *tree, int round) {
-  ContactPath path = {{0}, {0}, 3};
+  ContactPath path = {{}, {}, 3};
   random_vector(6, path.x);
   random_vector(round % 3 ? 6 : 0.1, path.v);
   if (round % 5 == 0)
@@ -319,7 +339,7 @@ static void check_clear(const ContactTree *tree, int round) {
   at(&path, now, x);
   bool there = false;
   for (size_t i = 0; i < aspi_tree_count(tree); i++) {
-    const ContactTriangle *t = aspi_tree_triangle(tree, (int)i);
+    const ContactTriangle *t = aspi_tree_triangle(tree, static_cast<int>(i));
     bool meets = true;
     for (int d = 0; d < 3; d++)
       meets = meets && off_box(t, x, d) <= wide;
@@ -362,10 +382,8 @@ TEST(test_along) {
 
 TEST(test_tree) {
   for (int count = 0; count <= 3000; count = 3 * count + 1) {
-    ContactTriangle *triangles = calloc((size_t)count + 1, sizeof *triangles);
-    int *id = calloc((size_t)count + 1, sizeof *id);
-    assert_non_null(triangles);
-    assert_non_null(id);
+    std::vector<ContactTriangle> triangles(static_cast<size_t>(count) + 1);
+    std::vector<int> id(triangles.size());
     for (int i = 0; i < count; i++) {
       double center[3];
       random_vector(5, center);
@@ -377,7 +395,7 @@ TEST(test_tree) {
       }
       id[i] = 7 * count - (count % 2 ? 3 : 1) * i; /* with gaps, and without */
     }
-    ContactTree *tree = aspi_tree_create(triangles, id, (size_t)count);
+    ContactTree *tree = aspi_tree_create(triangles.data(), id.data(), static_cast<size_t>(count));
     assert_non_null(tree);
     void *block = malloc(aspi_tree_bytes(tree));
     assert_non_null(block);
@@ -396,7 +414,7 @@ TEST(test_tree) {
     assert_int_equal(aspi_tree_place(tree, 7 * count + 1), -1);
     assert_int_equal(aspi_tree_place(tree, 7 * count - 3 * count - 1), -1);
     assert_int_equal(aspi_tree_place(tree, -2147483647), -1);
-    ContactList list = {0};
+    ContactList list = ContactList();
     for (int round = 0; round < 50; round++) {
       double x[3], lo[3], hi[3], middle[3], nearest[3], least = 2;
       const double reach = round % 3 ? uniform(0, 1.5) : INFINITY;
@@ -430,8 +448,6 @@ TEST(test_tree) {
     aspi_places_free(&list);
     aspi_tree_free(tree);
     free(block);
-    free(triangles);
-    free(id);
   }
 }
 
