@@ -75,15 +75,10 @@ public:
   virtual void print(const std::string &what) const = 0;
 
   /* The values of a constant of the script by its name, one for each type or each pair of types,
-   * row by row; false where the script has none. */
-  virtual bool constants(const char *, bool, std::vector<double> &values) const {
+   * row by row; none where the script has none. Returns the command that states such a constant,
+   * without values, for an error message; empty if there is none. */
+  virtual std::string constants(const char *, bool, std::vector<double> &values) const {
     values.clear();
-    return false;
-  }
-
-  /* The command that states such a constant in a script, for an error message; empty if there is
-   * none. */
-  virtual std::string how_to_state(const char *, bool, const std::string &) const {
     return "";
   }
 

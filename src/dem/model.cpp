@@ -57,7 +57,7 @@ void Model::begin() {
 void Model::parse(Words &words, const std::string &others) {
   asp_error wrong;
   int taken;
-  const std::vector<const char *> rest = words.rest();
+  const std::vector<const char *> rest = words.left_over();
   begin();
   if (asp_description_read(description_.get(), static_cast<int>(rest.size()), rest.data(),
                            others.c_str(), &taken, &wrong))
@@ -195,16 +195,17 @@ void Model::fit_sizes() {
   make();
 }
 
-/* The values of a constant of the script; empty where there are none and none are needed. */
+/* The values of a constant of the script; empty where there are none and none are needed. example:
+ * some values, for the message where they are. */
 void Model::constants(const char *name, bool pairs, bool needed, const char *example,
                       std::vector<double> &values) const {
-  if (engine_.constants(name, pairs, values) || !needed)
+  const std::string line = engine_.constants(name, pairs, values);
+  if (!values.empty() || !needed)
     return;
-  const std::string line = engine_.how_to_state(name, pairs, example);
   throw Error(text("the script has no %s; name a material for each atom type, as 'materials %s' "
                    "(the command `asperity materials` lists them)",
                    name, for_types(engine_.types(), "quartz", "hastelloy-x").c_str()) +
-              (line.empty() ? "" : ", or add a line such as '" + line + "'"));
+              (line.empty() ? "" : ", or add a line such as '" + line + " " + example + "'"));
 }
 
 /* The description's constants go before the script's, which may be soft ones for the pair style. */

@@ -7,17 +7,17 @@
 
 using namespace asperity;
 
-Run::Run(const Engine &engine)
+WallRun::WallRun(const Engine &engine)
     : wall(engine), has_begun_(false), has_steps_(false), is_checked_(false) {}
 
-std::vector<Wall *> Run::all_walls() const {
+std::vector<Wall *> WallRun::all_walls() const {
   std::vector<Wall *> all;
-  for (Run *each : walls)
+  for (WallRun *each : walls)
     all.push_back(&each->wall);
   return all;
 }
 
-Spheres Run::spheres() const {
+Spheres WallRun::spheres() const {
   Spheres s = all_spheres();
   const std::vector<int> &masks = walls.front()->masks_;
   if (!masks.empty())
@@ -25,13 +25,13 @@ Spheres Run::spheres() const {
   return s;
 }
 
-Bodies *Run::take_bodies() {
+Bodies *WallRun::take_bodies() {
   return bodies().any() ? bodies().take(all_walls()) : NULL;
 }
 
 /* ---- a run ---- */
 
-void Run::list_bodies(bool begins) {
+void WallRun::list_bodies(bool begins) {
   if (!leads())
     return;
   masks_.clear();
@@ -44,7 +44,7 @@ void Run::list_bodies(bool begins) {
     masks_.push_back(bodies().has(i) ? 0 : s.mask[i]);
 }
 
-void Run::begin(bool is_setup) {
+void WallRun::begin(bool is_setup) {
   list_bodies(is_setup);
   attempt([this, is_setup] {
     const Spheres all = spheres();
@@ -55,16 +55,16 @@ void Run::begin(bool is_setup) {
   has_steps_ = false;
 }
 
-void Run::push_spheres() {
+void WallRun::push_spheres() {
   if (walls.back() != this)
     return;
   push_again(all_walls(), spheres());
 }
 
-void Run::push_bodies() {
+void WallRun::push_bodies() {
   if (walls.back() != this)
     return;
-  Run &first = *walls.front();
+  WallRun &first = *walls.front();
   if (Bodies *all = first.take_bodies()) {
     for (Wall *each : all_walls()) /* all walls are where this run finds them */
       each->free_displaced(*all, 0);
@@ -73,16 +73,16 @@ void Run::push_bodies() {
   }
 }
 
-void Run::step() {
+void WallRun::step() {
   if (!leads())
     return;
-  for (Run *each : walls)
+  for (WallRun *each : walls)
     if (!each->has_begun_)
       each->begin(false);
   try {
     const bool grow = particles_grow();
     const Spheres now = spheres();
-    for (Run *each : walls) {
+    for (WallRun *each : walls) {
       each->has_steps_ = true;
       each->wall.set_dt(now.step - 1, now.dt);
       if (grow)
@@ -102,7 +102,7 @@ void Run::step() {
   }
   if (bodies().any())
     bodies().put(false, wall.setup.engine.world());
-  for (Run *each : walls) {
+  for (WallRun *each : walls) {
     int mine = each->wall.has_to_delete, any; /* all ranks must agree */
     if (!each->deletes())
       continue;
@@ -112,7 +112,7 @@ void Run::step() {
   }
 }
 
-void Run::hold() {
+void WallRun::hold() {
   if (!has_steps_)
     fail("rerun is not supported: a rebound is an event in time; use run");
   if (!leads())
@@ -132,29 +132,29 @@ void Run::hold() {
     bodies().put(true, wall.setup.engine.world());
     body_rows_.show(all_walls(), *all, wall.setup.engine.world());
   }
-  for (Run *each : walls)
+  for (WallRun *each : walls)
     each->wall.books.end_loads();
 }
 
-void Run::end() {
+void WallRun::end() {
   has_begun_ = false;
   attempt([this] { wall.end_run(); });
 }
 
-void Run::list_deleted() {
+void WallRun::list_deleted() {
   BodySource &of = walls.front()->bodies();
   if (of.any())
     of.list_deleted(wall.body_rows, wall.setup.engine.world());
 }
 
-bool Run::is_deleted(int i) {
+bool WallRun::is_deleted(int i) {
   const BodySource &of = walls.front()->bodies();
   return wall.rows.status(i) == Status::TO_DELETE || (of.any() && of.is_deleted(i));
 }
 
 /* ---- restart, and what is lost ---- */
 
-void Run::write_record(FILE *file) {
+void WallRun::write_record(FILE *file) {
   std::vector<char> record;
   attempt([&] { record = wall.save(); });
   if (wall.setup.engine.rank() != 0)
@@ -164,26 +164,26 @@ void Run::write_record(FILE *file) {
   fwrite(record.data(), 1, record.size(), file);
 }
 
-void Run::restore(const char *record) {
+void WallRun::restore(const char *record) {
   attempt([this, record] { wall.restore(record); });
 }
 
-void Run::warn_of_no_restart() const {
+void WallRun::warn_of_no_restart() const {
   wall.setup.engine.warn("the restart file has no data of this wall; its impact numbers begin at "
                          "1, and no particle is stuck to it");
 }
 
-void Run::warn_of_lost(const Bodies &all) {
+void WallRun::warn_of_lost(const Bodies &all) {
   const size_t saved = wall.body_rows.take_restored();
   long long mine = static_cast<long long>(all.all.size()), now;
   MPI_Allreduce(&mine, &now, 1, MPI_LONG_LONG, MPI_SUM, wall.setup.engine.world());
   if (now < static_cast<long long>(saved))
-    wall.setup.engine.warn(text("there are %lld bodies of the %zu in the restart file; the engine "
-                                "has lost the others as it read them",
-                                now, saved));
+    wall.setup.engine.warn(text("the restart file has %zu bodies, and %lld are left; the engine "
+                                "lost the others when it read the file",
+                                saved, now));
 }
 
-void Run::report_loss() const {
+void WallRun::report_loss() const {
   const double stuck = wall.stuck(), impacts = wall.books.counter(Books::N_IMPACTS);
   const std::string counts = text("its counts, of %.0f impacts, end with it", impacts);
   if (stuck > 0)

@@ -15,14 +15,14 @@
 
 namespace asperity {
 
-/* One wall of a run. */
-class Run {
+/* The part of a wall's fix that needs no engine. The first wall of a run drives all of them. */
+class WallRun {
 public:
   Wall wall;
-  std::vector<Run *> walls; /* all of this style */
+  std::vector<WallRun *> walls; /* all of this style */
 
-  explicit Run(const Engine &engine);
-  virtual ~Run() {}
+  explicit WallRun(const Engine &engine);
+  virtual ~WallRun() {}
 
   /* At the beginning of a run, and after particles have moved between ranks. Collective. */
   void list_bodies(bool begins);

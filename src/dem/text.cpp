@@ -63,7 +63,7 @@ bool Words::is_one_of(const std::string &list) const {
   return !done() && (" " + list + " ").find(" " + words_[next_] + " ") != std::string::npos;
 }
 
-std::vector<const char *> Words::rest() const {
+std::vector<const char *> Words::left_over() const {
   std::vector<const char *> all;
   for (size_t i = next_; i < words_.size(); i++)
     all.push_back(words_[i].c_str());

@@ -59,7 +59,7 @@ public:
   double number(const char *what);
   double whole(const char *what, double least, double most);
   /* The words that are left, valid as long as this. */
-  std::vector<const char *> rest() const;
+  std::vector<const char *> left_over() const;
   /* Goes past some of them. */
   void advance(int count) {
     next_ += static_cast<size_t>(count);

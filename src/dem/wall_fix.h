@@ -107,13 +107,13 @@ protected:
 };
 
 /* The fix, but for its hooks. Host is an EngineOf, or a class derived from one. */
-template <class Host> class WallFix : public Host, public Run {
+template <class Host> class WallFix : public Host, public WallRun {
 public:
   typedef typename Host::FixOfEngine EngineFix;
 
   template <class Program>
   WallFix(Program *program, EngineFix *fix)
-      : Host(program, fix), Run(static_cast<const Engine &>(*this)) {}
+      : Host(program, fix), WallRun(static_cast<const Engine &>(*this)) {}
 
   /* What is wrong with a fix that ties particles to bodies; "": nothing. True if a fix changes the
    * size or the shape of the box. */
@@ -135,7 +135,7 @@ public:
   Spheres all_spheres() const override {
     return Host::spheres();
   }
-  using Run::spheres;
+  using WallRun::spheres;
   Box box() const override {
     return Host::box();
   }
@@ -215,7 +215,7 @@ public:
   /* For those who have written `fix wall/gran` so far. */
   static void refuse_model(const Words &words) {
     if (words.is_one_of("model granular hooke hooke/history hertz/history"))
-      throw Error("takes no model: '" + std::string(words.rest()[0]) +
+      throw Error("takes no model: '" + std::string(words.left_over()[0]) +
                   "' and what is behind it belong to 'fix wall/gran'; here 'rebound' states the "
                   "law");
   }

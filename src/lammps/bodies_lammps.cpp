@@ -19,6 +19,11 @@
 #include "dem/error.h"
 #include "dem/text.h"
 
+/* Of math_extra.h, which Debian's package leaves out. */
+namespace MathExtra {
+void exyz_to_q(double *ex, double *ey, double *ez, double *q);
+}
+
 using namespace LAMMPS_NS;
 using asperity::Bodies;
 using asperity::Body;
@@ -53,25 +58,6 @@ template <class C> auto send(C *comm, Fix *fix, long) -> decltype(comm->forward_
   return comm->forward_comm(fix);
 }
 
-/* The quaternion of axes is any column of this matrix: the one with the largest component on the
- * diagonal is exact (Shepperd 1978). */
-void quaternion_of(const double axes[3][3], double quat[4]) {
-  const double trace = axes[0][0] + axes[1][1] + axes[2][2];
-  double m[4][4] = {{1 + trace}};
-  int k = 0;
-  for (int a = 0; a < 3; a++) {
-    const int b = (a + 1) % 3, c = (a + 2) % 3;
-    m[0][1 + a] = m[1 + a][0] = axes[b][c] - axes[c][b];
-    for (int d = 0; d < 3; d++)
-      m[1 + a][1 + d] = axes[a][d] + axes[d][a] + (a == d ? 1 - trace : 0);
-    if (m[1 + a][1 + a] > m[k][k])
-      k = 1 + a;
-  }
-  const double length = sqrt(m[k][0] * m[k][0] + aspi_dot(m[k] + 1, m[k] + 1));
-  for (int d = 0; d < 4; d++)
-    quat[d] = m[k][d] / length;
-}
-
 /* The momentum of the quaternion, which rigid/nve/small keeps (Miller et al. 2002). */
 void set_conjugate(const Body &body, const double q[4], double conjugate[4]) {
   double along[3], side[3];
@@ -93,7 +79,7 @@ void write(const Body &from, Small::Body &to, bool is_end) {
     aspi_copy(from.axes[0], to.ex_space);
     aspi_copy(from.axes[1], to.ey_space);
     aspi_copy(from.axes[2], to.ez_space);
-    quaternion_of(from.axes, to.quat);
+    MathExtra::exyz_to_q(to.ex_space, to.ey_space, to.ez_space, to.quat);
   }
   aspi_copy(from.v, to.vcm);
   aspi_copy(from.angular_momentum, to.angmom);

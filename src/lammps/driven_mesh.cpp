@@ -187,17 +187,21 @@ std::string DrivenMesh::describe() const {
          (each_keeps() ? "; MPI shares no memory here, so each rank keeps a copy" : "");
 }
 
-void DrivenMesh::setup(double time) {
+double DrivenMesh::setup(double time) {
   if (!drive_.moves())
-    return;
+    return 0;
   if (!has_begun_)
     origin_ = time;
   Frame frame;
   Twist twist;
+  double off[3] = {0, 0, 0};
   drive_.move(time - origin_, frame, twist);
+  if (has_begun_)
+    aspi_subtract(frame.shift, motion().end().shift, off);
   motion().settle(frame, false);
   motion().set_last(twist);
   has_begun_ = true;
+  return aspi_length(off);
 }
 
 void DrivenMesh::begin_step(double time, double dt) {
@@ -211,13 +215,18 @@ void DrivenMesh::begin_step(double time, double dt) {
 }
 
 std::vector<double> DrivenMesh::motion_record() const {
-  return has_begun_ ? std::vector<double>(1, origin_) : std::vector<double>();
+  const double *shift = motion().end().shift;
+  return has_begun_ ? std::vector<double>{origin_, shift[0], shift[1], shift[2]}
+                    : std::vector<double>();
 }
 
 void DrivenMesh::restore_motion(const std::vector<double> &record) {
-  if (record.empty())
+  if (record.size() != 4)
     return;
+  Frame frame;
   origin_ = record[0];
+  aspi_copy(&record[1], frame.shift);
+  motion().settle(frame, false);
   has_begun_ = true;
 }
 

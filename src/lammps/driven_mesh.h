@@ -72,11 +72,12 @@ public:
   /* Number of triangles and their extent, for the log. */
   std::string describe() const;
 
-  /* At the beginning of a run, and of each step: the time of the wall's own clock. */
-  void setup(double time);
+  /* At the beginning of a run, and of each step: the time of the wall's own clock. setup: how far
+   * it stands from where the last step has left it. */
+  double setup(double time);
   void begin_step(double time, double dt);
 
-  /* The time at which the motion began. */
+  /* The time at which the motion began, and the shift by now. */
   std::vector<double> motion_record() const override;
   void restore_motion(const std::vector<double> &record) override;
 

@@ -13,6 +13,8 @@
 #include "map_file.h"
 #include "region_shape.h"
 
+#include "contact/tolerances.h"
+#include "contact/vector.h"
 #include "dem/error.h"
 #include "dem/shapes/primitive.h"
 #include "dem/text.h"
@@ -155,17 +157,17 @@ void FixWallRebound::read_geometry(Words &words, std::string &geometry) {
     static const char MOVES[] =
         "; a wall that moves is a region of style block or plane with 'move', or 'stl FILE' with "
         "'move'";
-    if (words.left() > 1 && strncmp(words.rest()[1], "v_", 2) == 0)
-      throw asperity::Error(
-          text("the place of '%s' is '%s'; it must be a number", words.rest()[0], words.rest()[1]) +
-          MOVES);
+    if (words.left() > 1 && strncmp(words.left_over()[1], "v_", 2) == 0)
+      throw asperity::Error(text("the place of '%s' is '%s'; it must be a number",
+                                 words.left_over()[0], words.left_over()[1]) +
+                            MOVES);
     std::unique_ptr<asperity::Shape> shape = asperity::read_primitive(words, geometry);
     if (words.is_one_of("wiggle move rotate"))
       throw asperity::Error("'" + words.word("") + "' is unknown behind '" + geometry + "'" +
                             MOVES);
     p_->type = read_type(words);
     geometry += text(" type %d", p_->type);
-    if (!words.done() && (words.is("NULL") || isdigit(words.rest()[0][0])))
+    if (!words.done() && (words.is("NULL") || isdigit(words.left_over()[0][0])))
       throw asperity::Error("'" + words.word("") + "' stands behind '" + geometry +
                             "'; a fix of this style is one plane, so that a second one needs a fix "
                             "of its own, and NULL is left out");
@@ -230,16 +232,18 @@ void FixWallRebound::Parts::follow_step(bigint last) {
 }
 
 void FixWallRebound::Parts::set_up_shapes() {
-  const double off = region ? region->setup() : 0;
-  if (off > 0)
-    warn(text("the region stands %.4g from where the last step has left it; what lies between "
+  const double now = wall.setup.time(static_cast<double>(program_->update->ntimestep));
+  const double off = region ? region->setup() : mesh ? mesh->setup(now) : 0;
+  const asperity::Bounds all = bounds();
+  double size[3];
+  aspi_subtract(all.hi, all.lo, size);
+  if (off > asperity::ROUNDING * aspi_length(size))
+    warn(text("the %s stands %.4g from where the last step has left it; what lies between "
               "is passed without a contact. Its variables must go on from run to run: by "
               "'time', not by 'step*dt' behind the command timestep",
-              off));
-  if (mesh) {
-    mesh->setup(wall.setup.time(static_cast<double>(program_->update->ntimestep)));
+              region ? "region" : "mesh", off));
+  if (mesh)
     mesh->set_images(box());
-  }
 }
 
 void FixWallRebound::setup(int) {

@@ -33,7 +33,7 @@ const char STYLES[] = "block cone cylinder plane prism sphere union intersect";
 const double BEYOND = 1e-7;
 
 /* A face's curve is measured over this share of the sphere's radius. */
-const double CURVE = 0.01;
+const double PROBE = 0.01;
 
 /* Two feet of one place. */
 const double SAME = 1e-6;
@@ -155,8 +155,7 @@ double RegionShape::setup() {
   simulation_box(lammps_->domain, box);
   for (RegionPart &part : parts_)
     most = std::max(most, part.settle(box));
-  aspi_subtract(box[1], box[0], box[1]);
-  return most > asperity::ROUNDING * aspi_length(box[1]) ? most : 0;
+  return most;
 }
 
 bool RegionShape::is_still() const {
@@ -283,7 +282,7 @@ double RegionShape::curve(double share, const Foot &at, const double x[3], doubl
   const Foot foot = at;
   double along[3], ahead[3];
   aspi_add_scaled(v, -aspi_dot(v, foot.n), foot.n, along);
-  const double speed = aspi_length(along), way = CURVE * radius;
+  const double speed = aspi_length(along), way = PROBE * radius;
   if (!(speed > 0))
     return 0;
   aspi_add_scaled(x, way / speed, along, ahead);
@@ -293,7 +292,7 @@ double RegionShape::curve(double share, const Foot &at, const double x[3], doubl
   parts_[foot.part].add_feet(ahead, foot.distance + way, feet);
   for (const Foot &other : feet)
     if (other.face == foot.face && other.inside == foot.inside &&
-        aspi_dot(other.n, foot.n) > 1 - 4 * CURVE)
+        aspi_dot(other.n, foot.n) > 1 - 4 * PROBE)
       return 2 * (foot.distance - other.distance) * speed * speed / (way * way);
   return 0;
 }

@@ -80,7 +80,7 @@ Bodies *BodiesOfLiggghts::take(const std::vector<asperity::Wall *> &walls) {
     for (int k = 0; k < 3; k++)
       aspi_copy(axes[k][b], body.axes[k]);
     body.is_changed = false;
-    body.is_led = streams && update->ntimestep < starts[b];
+    body.is_guided = streams && update->ntimestep < starts[b];
   }
   if (is_reordered_) {
     take_spheres();

@@ -138,26 +138,18 @@ std::string FixWallRebound::known_units() const {
   return "si, cgs or micro";
 }
 
-bool FixWallRebound::constants(const char *name, bool pairs, std::vector<double> &values) const {
+std::string FixWallRebound::constants(const char *name, bool pairs,
+                                      std::vector<double> &values) const {
   const int n = atom->ntypes;
+  const char *kind = pairs ? "peratomtypepair" : "peratomtype";
   Fix *found =
-      modify->find_fix_property(name, "property/global", pairs ? "peratomtypepair" : "peratomtype",
-                                n, pairs ? n : 0, style, false);
+      modify->find_fix_property(name, "property/global", kind, n, pairs ? n : 0, style, false);
   values.clear();
-  if (!found)
-    return false;
   FixPropertyGlobal *property = static_cast<FixPropertyGlobal *>(found);
-  for (int i = 0; i < n; i++)
+  for (int i = 0; found && i < n; i++)
     for (int j = 0; j < (pairs ? n : 1); j++)
       values.push_back(pairs ? property->compute_array(i, j) : property->compute_vector(i));
-  return true;
-}
-
-std::string FixWallRebound::how_to_state(const char *name, bool pairs,
-                                         const std::string &values) const {
-  return text("fix %s all property/global %s %s %s", name, name,
-              pairs ? text("peratomtypepair %d", atom->ntypes).c_str() : "peratomtype",
-              values.c_str());
+  return text("fix %s all property/global %s %s", name, name, kind) + (pairs ? text(" %d", n) : "");
 }
 
 /* A property of one number, such as the one that fix heat/gran makes. */

@@ -68,8 +68,7 @@ private:
   /* asperity::Engine, and asperity::WallFix */
   using EngineOf::id;
   std::string known_units() const override;
-  bool constants(const char *name, bool pairs, std::vector<double> &values) const override;
-  std::string how_to_state(const char *name, bool pairs, const std::string &values) const override;
+  std::string constants(const char *name, bool pairs, std::vector<double> &values) const override;
   const double *numbers(const std::string &name) const override;
   void diameters(double &least, double &most) const override;
   std::vector<Kind> kinds() const override;

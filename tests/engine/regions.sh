@@ -201,5 +201,15 @@ table a=shaken.in.screen 'assert all(row[2] == 60 for row in a) and a[-1][1] > 1
 sed 's,step/4,step*dt/4e-4,; s/401/1/' shaken.in > elsewhere.in
 engine 1 elsewhere.in
 grep -q 'the region stands 0.003 from where the last step' elsewhere.in.screen || die 'no warning of a region that stands elsewhere'
+# A mesh that variables move, too: in one program, and behind a restart.
+sed 's,^region r block.*,variable v equal 0,; s,region r type 2,stl plate.stl type 2 move variable v_x NULL NULL v_v NULL NULL,
+  s/count(all,r)/count(all)/' elsewhere.in > mesh.in
+sed 's/^timestep 2e-4/write_restart mid.bin/' mesh.in > whole.in
+sed '/^region box/,/^velocity/d; s/^neighbor/read_restart mid.bin\n&/; s/^timestep 1e-4/timestep 2e-4/' mesh.in > again.in
+for one in mesh whole again; do engine 1 $one.in; done
+! grep -q 'stands .* from where' whole.in.screen || die 'a warning of a mesh that stands where it was'
+for one in mesh again; do
+  [ "$(grep -c 'the mesh stands 0.003 from where the last step' $one.in.screen)" = 1 ] || die "no warning of a mesh that stands elsewhere: $one"
+done
 shaken 'run 1' 'rotate v_a 0 0 0 0 0 1' > turned.in
 refuses 1 turned.in "region 'r' turns by 114.6 degrees in a step"

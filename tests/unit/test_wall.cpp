@@ -398,6 +398,38 @@ TEST(flow_takes_deposits_away) {
   assert_true(left > 0.3 * GRAINS && left < 0.7 * GRAINS);
 }
 
+/* A body of two spheres lands flat, but for the rounding by which the second one is lower: its
+ * impacts are numbered in the order of the spheres. */
+TEST(impacts_of_a_body_are_in_order) {
+  const double tilt = 1e-9;
+  const Alone engine;
+  std::unique_ptr<Wall> wall =
+      make_wall(engine, ground(), "rebound constant 0.5 0.5 deposit off ledger 1");
+  Bodies bodies;
+  Body body = Body();
+  body.count = 2;
+  body.mass = 1;
+  body.inertia[0] = 0.1;
+  body.inertia[1] = body.inertia[2] = 0.35;
+  body.axes[0][0] = body.axes[1][1] = body.axes[2][2] = 1;
+  body.axes[0][2] = -tilt;
+  body.axes[2][0] = tilt;
+  body.x[2] = 0.4;
+  body.v[2] = -1;
+  bodies.all.push_back(body);
+  bodies.spheres = {BodySphere{{-0.5, 0, 0}, 0.5, 1, 1, 1}, BodySphere{{0.5, 0, 0}, 0.5, 1, 1, 2}};
+  bodies.dt = 0.2;
+  Grains none(0, 0.5, bodies.dt);
+  none.begin({wall.get()});
+  bodies.step = none.now = 1;
+  claim_bodies(none.walls, bodies, MPI_COMM_WORLD);
+  step_walls(none.walls, none.spheres(), &bodies);
+  assert_int_equal(wall->books.ledger()->size(), 2);
+  for (int k = 0; k < 2; k++) /* tag, and number of the impact */
+    for (int column = 0; column < 2; column++)
+      assert_true(wall->books.ledger()->rows()[k][column] == 1 + k);
+}
+
 /* A body that was stuck to a wall which is gone is held where it is at the beginning of the run,
  * before forces move it. */
 TEST(bodies_of_no_wall_stay) {

@@ -65,7 +65,7 @@ void Books::parse_ledger(Words &words) {
     else
       more = false;
   }
-  if (!words.done() && strpbrk(words.rest()[0], "./"))
+  if (!words.done() && strpbrk(words.left_over()[0], "./"))
     throw Error("behind 'ledger', 'file " + words.word("") + "' is expected for a file");
   if (path.size() > 4 && path.compare(path.size() - 4, 4, ".npy") == 0)
     throw Error("the file of 'ledger' is '" + path + "'; ledgers are CSV, such as " +

@@ -28,7 +28,7 @@ struct Body {
   double axes[3][3]; /* unit vectors of the principal axes */
   double x[3], v[3], angular_momentum[3], acceleration[3], torque[3];
   size_t first, count; /* its spheres */
-  bool is_led;         /* its engine moves it along a given way: it meets no wall */
+  bool is_guided;      /* its engine moves it along a given way: it meets no wall */
   bool is_changed;     /* by contacts */
   double reach;        /* radius of the sphere about its center of mass that has all of it */
   int mask;            /* of all groups of its spheres */

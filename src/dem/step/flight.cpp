@@ -30,9 +30,9 @@ void turn_between(const double from[3][3], const double to[3][3], double time, d
 } // namespace
 
 Flight::Flight(Mover &m, const Movers &movers, const Instant &now, const std::vector<Wall *> &walls)
-    : mover(m), dt(movers.dt), step(movers.step), is_held(true), is_pushed(false), is_led(true),
-      squeezed(false), searches_all(m.body), is_apart(false), way(0), series_begin(0),
-      walls_(walls) {
+    : mover(m), dt(movers.dt), step(movers.step), is_held(true), is_pushed(false),
+      is_undisturbed(true), squeezed(false), searches_all(m.body), is_apart(false), way(0),
+      series_begin(0), walls_(walls) {
   path.left = path.dt = stretch = dt;
   path.rest = 0;
   aspi_copy(now.v, path.v);
@@ -49,7 +49,7 @@ Flight::Flight(Mover &m, const Movers &movers, const Instant &now, const std::ve
     for (const Rest &rest : mover.at(*wall).rests()) {
       aspi_add_scaled(free, -1, rest.push, free);
       push = std::max(push, aspi_dot(rest.push, rest.push));
-      is_pushed = is_led = push > 0; /* else nothing has held it in this step */
+      is_pushed = is_undisturbed = push > 0; /* else nothing has held it in this step */
     }
   aspi_copy(now.spin, spin);
   for (int d = 0; d < 3; d++)
@@ -211,7 +211,7 @@ void Flight::turn(const double before[3], const double after[3], const double n[
     act_along(held, ahead);
   }
   act_along(n, ahead);
-  is_led = false;
+  is_undisturbed = false;
   aspi_subtract(before, half, change);
   aspi_add_scaled(change, 0.5 * dt - elapsed(), free, change);
   share(change, NONE);
@@ -226,7 +226,7 @@ void Flight::set_spin(const double to[3]) {
   aspi_copy(to, spin);
   aspi_copy(to, turning);
   aspi_copy(NONE, lift);
-  is_led = false;
+  is_undisturbed = false;
   if (mover.body)
     mover.momentum_of(to, momentum);
 }

@@ -35,7 +35,7 @@ struct Flight {
    * takes. momentum: angular, per mass. lift: extra angular velocity of the path only, by walls
    * that it follows. */
   double turning[3], stretch, momentum[3], lift[3];
-  bool is_led; /* no wall has changed its way */
+  bool is_undisturbed; /* no wall has changed its way */
 
   std::vector<Impact> impacts; /* of the step */
 

@@ -45,7 +45,8 @@ struct Read {
   }
 };
 
-const size_t STATE = sizeof(MoverState) / sizeof(double), LOAD = sizeof(Load) / sizeof(double);
+const size_t STATE = sizeof(MoverState) / sizeof(double);
+const size_t HEAD = sizeof(MemoryHead) / sizeof(double);
 
 } // namespace
 
@@ -83,10 +84,8 @@ int Memories::pack(int i, double *to) const {
   const std::unique_ptr<Memory> &of = memory[static_cast<size_t>(i)];
   Write write = {to + 1};
   if (of) {
-    *write.to++ = of->draws;
-    write.to = std::copy(of->free, of->free + 3, write.to);
-    memcpy(write.to, &of->load, sizeof of->load);
-    write.to += LOAD;
+    memcpy(write.to, static_cast<const MemoryHead *>(of.get()), sizeof(MemoryHead));
+    write.to += HEAD;
     of->each(write);
   }
   to[0] = static_cast<double>(write.to - to);
@@ -97,12 +96,8 @@ int Memories::unpack(int i, const double *from) {
   clear(i);
   if (from[0] > 1) {
     Memory &of = own(i);
-    Read read = {from + 1};
-    of.draws = *read.from++;
-    std::copy(read.from, read.from + 3, of.free);
-    read.from += 3;
-    memcpy(&of.load, read.from, sizeof of.load);
-    read.from += LOAD;
+    memcpy(static_cast<MemoryHead *>(&of), from + 1, sizeof(MemoryHead));
+    Read read = {from + 1 + HEAD};
     of.each(read);
   }
   return static_cast<int>(from[0]);
@@ -112,15 +107,16 @@ int Memories::unpack(int i, const double *from) {
 
 void BodyMemories::write(int64_t tag, const MoverState &its, const Memories &rows, size_t i,
                          std::vector<double> &to) {
-  Count count = {5 + LOAD};
-  if (rows.memory[i])
+  Count count = {1 + STATE + 1};
+  if (rows.memory[i]) {
+    count.n += HEAD;
     rows.memory[i]->each(count);
+  }
   const size_t at = to.size();
-  to.resize(at + 1 + STATE + count.n);
+  to.resize(at + count.n);
   to[at] = static_cast<double>(tag);
   memcpy(&to[at + 1], &its, sizeof its);
-  to.resize(at + 1 + STATE +
-            static_cast<size_t>(rows.pack(static_cast<int>(i), &to[at + 1 + STATE])));
+  rows.pack(static_cast<int>(i), &to[at + 1 + STATE]);
 }
 
 int64_t BodyMemories::read(const std::vector<double> &all, size_t &at, MoverState &its,

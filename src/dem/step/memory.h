@@ -78,16 +78,20 @@ struct Load {
   double force[3], point[3]; /* as MoverState shows them at its end */
 };
 
-struct Memory {
+/* What it remembers but for lists. */
+struct MemoryHead {
   double draws;   /* of valleys, and of faces that it met while it rested */
   double free[3]; /* where it rests, its acceleration without walls at the end of the last step */
   Load load;
+};
+
+struct Memory : MemoryHead {
   std::vector<FacePlace> faces;
   std::vector<Rest> rests;      /* those of status RESTING */
   std::vector<Rebound> rebound; /* one, of status REBOUNDED */
   std::vector<Stuck> stuck;     /* one, of status STUCK or TO_DELETE */
 
-  Memory() : draws(0), free(), load() {}
+  Memory() : MemoryHead() {}
 
   /* Calls of() for each list: packing, sizes and restart files follow from this. */
   template <class Of> void each(Of &of) {
@@ -204,7 +208,7 @@ const size_t FACES_MOST = 3, RESTS_MOST = 3;
 
 /* The most numbers that a particle's memory packs to: it has one list by its status. */
 const size_t STUCK_SIZE = sizeof(Stuck), RESTS_SIZE = RESTS_MOST * sizeof(Rest);
-const int PACKED_MOST = 9 + static_cast<int>((sizeof(Load) + FACES_MOST * sizeof(FacePlace) +
+const int PACKED_MOST = 5 + static_cast<int>((sizeof(MemoryHead) + FACES_MOST * sizeof(FacePlace) +
                                               (RESTS_SIZE > STUCK_SIZE ? RESTS_SIZE : STUCK_SIZE)) /
                                              sizeof(double));
 static_assert(sizeof(Rebound) <= sizeof(Stuck),

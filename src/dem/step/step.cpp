@@ -144,8 +144,8 @@ static bool hit_alone(ContactPoint &at, const asp_key &key, double &restitution)
 }
 
 /* Several spheres of a body hit smooth walls at one instant. Their restitution is that of the law
- * for the approach of each alone, on average; if one of them sticks, the body does: its number,
- * else -1. */
+ * for the approach of each alone, on average; if one of them sticks, the body does: the number of
+ * the sphere, else -1. */
 static int hit_together(Flight &flight, std::vector<Touch> &touches, const double v[3]) {
   const Mover &mover = flight.mover;
   const Moment now = flight.moment(v);
@@ -165,7 +165,7 @@ static int hit_together(Flight &flight, std::vector<Touch> &touches, const doubl
       result.hits = 1;
       at.finish(flight.impacts.back());
       take_impact(flight, v);
-      return static_cast<int>(k);
+      return static_cast<int>(touches[k].sphere);
     }
     e += restitution;
     points.push_back(Held());
@@ -230,7 +230,7 @@ static bool rests_there(const Flight &flight, const Touch &touch) {
 static bool slides(Flight &flight, const Touch &touch, int nth) {
   const BodySphere &one = flight.mover.sphere[touch.sphere];
   const double approach = std::max(0.0, touch.approach_speed), left = flight.path.left;
-  if (!flight.is_led || approach * left > OVERLAP * one.radius ||
+  if (!flight.is_undisturbed || approach * left > OVERLAP * one.radius ||
       (fabs(touch.approach_speed) * left > SUM_ROUNDING * one.radius &&
        !rests_there(flight, touch)))
     return false;
@@ -257,7 +257,6 @@ static int meet(Flight &flight, std::vector<Touch> &touches, int nth, bool &slid
     return -1;
   const Moment now = flight.moment(v);
   std::vector<Touch> arriving;
-  std::vector<size_t> number;
   bool smooth = true;
   for (size_t k = 0; k < touches.size(); k++) {
     Touch &touch = touches[k];
@@ -273,13 +272,18 @@ static int meet(Flight &flight, std::vector<Touch> &touches, int nth, bool &slid
     bool arrives;
     if (!all_stay && !is_sustained(flight, at, arrives)) {
       arriving.push_back(touch);
-      number.push_back(k);
       smooth = smooth && !asp_wall_surface(at.law());
     }
   }
   if (arriving.size() > 1 && smooth) {
+    /* Rounding, which says which of them is first, does not number their impacts. */
+    std::sort(arriving.begin(), arriving.end(),
+              [](const Touch &one, const Touch &other) { return one.sphere < other.sphere; });
     const int stuck = hit_together(flight, arriving, v);
-    return stuck < 0 ? -1 : static_cast<int>(number[static_cast<size_t>(stuck)]);
+    for (size_t k = 0; k < touches.size(); k++)
+      if (static_cast<int>(touches[k].sphere) == stuck)
+        return static_cast<int>(k);
+    return -1;
   }
   std::vector<double> holds;
   for (Touch &touch : touches) {
@@ -380,7 +384,7 @@ static bool fly(const Walls &walls, const Walls &near, Flight &flight, double mo
 /* All contacts of a mover. */
 static void fly_one(const Walls &walls, const Walls &near, const Movers &movers, int i) {
   const Spheres *grains = movers.grains;
-  if (!grains && movers.bodies->all[static_cast<size_t>(i)].is_led)
+  if (!grains && movers.bodies->all[static_cast<size_t>(i)].is_guided)
     return;
   Mover mover(movers, i);
   Instant now;

@@ -118,7 +118,7 @@ void Flight::sustain(const Touch &touch, double hold) {
   const double least_speed = along_path(touch, touch.n_end) +
                              (1 + ROUNDING) * std::max(0.0, touch.approach_speed) +
                              SUM_ROUNDING * speed;
-  is_led = false;
+  is_undisturbed = false;
   Held *one = find_sustained(touch);
   if (!one)
     one = &add_sustained(touch, hold);
