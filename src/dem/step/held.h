@@ -42,11 +42,12 @@ struct Held : Touch {
   double w[3];   /* velocity of the wall's point; its part along n is what the mover must keep */
   double arm[3]; /* of a body */
   double friction;
-  double hold;    /* tangent of the slope that the valley withstands; 0: there is none */
-  double p[3];    /* impulse per mass on the mover: where it begins, and the result */
-  double turn[3]; /* change of omega by the result */
-  double work;    /* energy per mass that friction takes from the mover */
-  double k[3][3]; /* of a body: row d is the velocity of the point by the impulse e_d there */
+  double hold;      /* tangent of the slope that the valley withstands; 0: there is none */
+  double p[3];      /* impulse per mass on the mover: where it begins, and the result */
+  double turn[3];   /* change of omega by the result */
+  double change[3]; /* of p, by the last sweep */
+  double work;      /* energy per mass that friction takes from the mover */
+  double k[3][3];   /* of a body: row d is the velocity of the point by the impulse e_d there */
 
   /* On a path: the normal when it was met last, and at the path's end; along that, the path must
    * move at least at this speed. */
