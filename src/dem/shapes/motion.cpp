@@ -80,6 +80,18 @@ Twist screw_between(const Frame &from, const Frame &to) {
   return screw;
 }
 
+/* Of a velocity that goes from `begin` to `end` in a step, the beginning, moved so that the mean is
+ * that of the way, unless that is so to rounding. */
+void shift_mean(const double begin[3], const double end[3], const double way[3], double dt,
+                double start[3]) {
+  double off[3];
+  for (int d = 0; d < 3; d++)
+    off[d] = dt > 0 ? way[d] / dt - 0.5 * (begin[d] + end[d]) : 0;
+  aspi_copy(begin, start);
+  if (aspi_length(off) > ROUNDING * (aspi_length(begin) + aspi_length(end)))
+    aspi_add_scaled(start, 1, off, start);
+}
+
 } // namespace
 
 Frame::Frame() : turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, shift{0, 0, 0} {}
@@ -156,7 +168,7 @@ Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}
 
 void Motion::rest() {
   begin_ = end_;
-  screw_ = begin_velocity_ = end_velocity_ = drift_ = Twist();
+  screw_ = end_velocity_ = start_velocity_ = gain_ = Twist();
   moves_ = has_last_ = false;
   in_world_ = end_.is_world();
 }
@@ -175,15 +187,12 @@ void Motion::advance(const Frame &end, const Twist &twist, double dt) {
   end_ = end;
   dt_ = dt;
   screw_ = screw_between(begin_, end_);
-  begin_velocity_ = has_last_ ? end_velocity_ : twist;
+  const Twist before = has_last_ ? end_velocity_ : twist;
   end_velocity_ = twist;
-  drift_ = Twist();
-  for (int d = 0; d < 3 && dt > 0; d++) {
-    drift_.angular[d] =
-        screw_.angular[d] / dt - 0.5 * (begin_velocity_.angular[d] + end_velocity_.angular[d]);
-    drift_.linear[d] =
-        screw_.linear[d] / dt - 0.5 * (begin_velocity_.linear[d] + end_velocity_.linear[d]);
-  }
+  shift_mean(before.angular, twist.angular, screw_.angular, dt, start_velocity_.angular);
+  shift_mean(before.linear, twist.linear, screw_.linear, dt, start_velocity_.linear);
+  aspi_subtract(twist.angular, before.angular, gain_.angular);
+  aspi_subtract(twist.linear, before.linear, gain_.linear);
   moves_ = has_last_ = true;
   in_world_ = false;
   start_ = screwed(0);
@@ -221,53 +230,43 @@ Frame Motion::screwed(double s) const {
   return frame;
 }
 
+Twist Motion::twist_at(double s) const {
+  Twist now;
+  aspi_add_scaled(start_velocity_.angular, s, gain_.angular, now.angular);
+  aspi_add_scaled(start_velocity_.linear, s, gain_.linear, now.linear);
+  return now;
+}
+
 void Motion::velocity(double s, const double x[3], double v[3]) const {
   v[0] = v[1] = v[2] = 0;
-  if (!moves_)
-    return;
-  double begin[3], end[3], drift[3];
-  begin_velocity_.velocity(x, begin);
-  end_velocity_.velocity(x, end);
-  drift_.velocity(x, drift);
-  const bool rounding = aspi_length(drift) < ROUNDING * (aspi_length(begin) + aspi_length(end));
-  for (int d = 0; d < 3; d++)
-    v[d] = begin[d] + s * (end[d] - begin[d]) + (rounding ? 0 : drift[d]);
+  if (moves_)
+    twist_at(s).velocity(x, v);
 }
 
 void Motion::acceleration(double s, const double x[3], const double v[3], double a[3]) const {
   a[0] = a[1] = a[2] = 0;
   if (!moves_)
     return;
-  double begin[3], end[3], now[3], angular[3], twice[3], turned[3];
-  begin_velocity_.velocity(x, begin);
-  end_velocity_.velocity(x, end);
-  velocity(s, x, now);
-  for (int d = 0; d < 3; d++) {
-    angular[d] =
-        begin_velocity_.angular[d] + s * (end_velocity_.angular[d] - begin_velocity_.angular[d]);
-    twice[d] = 2 * v[d] - now[d];
-  }
-  aspi_cross(angular, twice, turned);
+  const Twist at = twist_at(s);
+  double now[3], twice[3], turned[3];
+  at.velocity(x, now);
   for (int d = 0; d < 3; d++)
-    a[d] = (end[d] - begin[d]) / dt_ + turned[d];
+    twice[d] = 2 * v[d] - now[d];
+  aspi_cross(at.angular, twice, turned);
+  gain_.velocity(x, a);
+  for (int d = 0; d < 3; d++)
+    a[d] = a[d] / dt_ + turned[d];
 }
 
 void Motion::turn(double s, double axes[3][3], double omega[3]) const {
-  omega[0] = omega[1] = omega[2] = 0;
+  aspi_copy(twist_at(1).angular, omega);
   if (!moves_)
     return;
   const Frame begin = frame_at(s);
-  double still[3] = {0, 0, 0};
-  velocity(1, still, still);
   for (int k = 0; k < 3; k++) {
-    double at[3], unit[3] = {0, 0, 0}, v[3], around[3];
+    double at[3];
     aspi_add_scaled(begin.shift, 1, axes[k], at);
     begin.to_local(at, at);
     end_.to_world_direction(at, axes[k]);
-    unit[k] = 1; /* the curl of the velocity */
-    velocity(1, unit, v);
-    aspi_subtract(v, still, v);
-    aspi_cross(unit, v, around);
-    aspi_add_scaled(omega, 0.5, around, omega);
   }
 }

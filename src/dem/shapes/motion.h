@@ -89,12 +89,13 @@ public:
 
 private:
   Frame screwed(double s) const;
+  Twist twist_at(double s) const;
 
   Frame begin_, end_;
   Frame start_; /* frame_at(0), which most searches ask for */
   Twist screw_; /* of the whole step, times its duration */
-  Twist begin_velocity_, end_velocity_;
-  Twist drift_; /* of the screw, from the mean of these velocities */
+  Twist end_velocity_;
+  Twist start_velocity_, gain_; /* so that the mean is the screw's, and what is added in the step */
   double dt_;
   bool moves_, has_last_, in_world_;
 };
