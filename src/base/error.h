@@ -7,20 +7,18 @@
 #include "asperity.h"
 
 #if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
+#define ASPI_FORMAT(text, first) __attribute__((format(printf, text, first)))
+#else
+#define ASPI_FORMAT(text, first)
 #endif
-asp_code
-aspi_fail(asp_error *error, asp_code code, const char *format, ...);
+ASPI_FORMAT(3, 4) asp_code aspi_fail(asp_error *error, asp_code code, const char *format, ...);
 
 /* The same for functions that return a pointer: NULL. */
 #define aspi_fail_null(...) (aspi_fail(__VA_ARGS__), NULL)
 
 /* ASP_EDATA and "<path>:<line>: <message>"; line 0: there are none. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 4, 5)))
-#endif
-asp_code
-aspi_file_fail(const char *path, size_t line, asp_error *error, const char *format, ...);
+ASPI_FORMAT(4, 5)
+asp_code aspi_file_fail(const char *path, size_t line, asp_error *error, const char *format, ...);
 
 /* ASP_OK when value is finite and least <= value <= most; otherwise ASP_EARG, and a message that
  * calls it `name` and its unit `unit` ("" for none). */
@@ -41,11 +39,7 @@ static inline const char *aspi_word_or_empty(const char *word) {
 }
 
 /* Appends like printf to a text with room for `size` characters. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-void
-aspi_append(char *text, size_t size, const char *format, ...);
+ASPI_FORMAT(3, 4) void aspi_append(char *text, size_t size, const char *format, ...);
 
 /* Index, from 0, of a word (its first `length` characters) in a list of words with blanks between;
  * case matters only if `exact`. -1: not in the list. */

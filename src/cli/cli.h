@@ -8,6 +8,7 @@
 #pragma once
 
 #include "asperity_internal.h"
+#include "base/error.h"
 #include "base/units.h"
 
 #include <stdio.h>
@@ -64,13 +65,8 @@ const char *cli_value(const cli_call *call, const char *name);
 void cli_default(cli_call *call, const char *name, const char *value); /* where none is given */
 bool cli_is_set(const cli_call *call, const char *name);
 
-#if defined(__GNUC__)
-#define CLI_FORMAT(text, first) __attribute__((format(printf, text, first)))
-#else
-#define CLI_FORMAT(text, first)
-#endif
-CLI_FORMAT(1, 2) _Noreturn void cli_bad_usage(const char *format, ...); /* exit 2 */
-CLI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 1 */
+ASPI_FORMAT(1, 2) _Noreturn void cli_bad_usage(const char *format, ...); /* exit 2 */
+ASPI_FORMAT(1, 2) _Noreturn void cli_fail(const char *format, ...);      /* exit 1 */
 
 /* Zeroed memory, and a copy of a text, to be freed; exit 1 if out of memory. */
 void *cli_allocate(size_t count, size_t size);
@@ -121,7 +117,7 @@ size_t cli_few(const cli_option *option, double least, double most, size_t n, do
 int cli_choice(const cli_option *option);
 
 /* A warning on stderr. */
-CLI_FORMAT(1, 2) void cli_warn(const char *format, ...);
+ASPI_FORMAT(1, 2) void cli_warn(const char *format, ...);
 
 /* Written to a temporary file and renamed on close; an early exit leaves the old file. A symbolic
  * link is replaced. Devices, pipes and standard output ("-" or NULL) are written directly. One file
@@ -145,7 +141,7 @@ FILE *cli_output_open(const cli_call *call, const char *option, const char *desc
 
 /* Prints CSV fields by a printf format of text, %s, %d, %zu or doubles between commas. NAN gives an
  * empty field; text is quoted if necessary. */
-CLI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
+ASPI_FORMAT(2, 3) void cli_row(FILE *out, const char *format, ...);
 
 /* Prints a number like printf's %.*g, but faster; nothing for NAN. */
 void cli_print_number(FILE *out, double value, int digits);

@@ -38,7 +38,7 @@ static void read_ledger(study *s) {
     cli_scatter_need(&ledger, needed[i], "; a ledger of a wall's impacts is expected");
   cli_ledger_densities(ledger.table->header, &s->density, &s->wall_density);
   while (cli_scatter_row(&ledger, v)) {
-    double mass = isnan(v[MASS]) ? s->density * ASP_PI / 6 * pow(v[D_P], 3) : v[MASS];
+    double mass = isnan(v[MASS]) ? s->density * ASP_SPHERE_VOLUME(v[D_P]) : v[MASS];
     s->hits = cli_grow(s->hits, s->n, sizeof *s->hits);
     s->hits[s->n++] = (hit){.x = {v[PLACE], v[PLACE + 1], v[PLACE + 2]},
                             .d_p = v[D_P],

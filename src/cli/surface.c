@@ -36,17 +36,17 @@ enum { POINTS_LEAST = 4096, POINTS_MOST = 1 << 28 };
 
 /* ---- profiles ---- */
 
-/* The profile along the flight; `more` is added to the seed. */
+/* The profile along the flight; `number` is added to the seed. */
 static wall_profile generate_wall(const cli_call *call, const cli_description *wall,
-                                  uint32_t more) {
+                                  uint32_t number) {
   asp_surface *surface = cli_made(aspi_description_surface(wall->words, &cli_error));
   double r_q = asp_surface_r_q(surface),
          lambda_c = asp_surface_lambda_c(surface) / sqrt(cli_description_shrink(wall, surface));
   asp_surface_free(surface);
-  asp_heights *profile = cli_made(
-      aspi_profile_generate(r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
-                            cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
-                            (uint32_t)asp_description_get(wall->words, "seed") + more, &cli_error));
+  asp_heights *profile = cli_made(aspi_profile_generate(
+      r_q, lambda_c, lambda_c / POINTS_PER_LAMBDA,
+      cli_whole(cli_get(call, "points"), POINTS_LEAST, POINTS_MOST),
+      (uint32_t)asp_description_get(wall->words, "seed") + number, &cli_error));
   return (wall_profile){profile, r_q, lambda_c, NULL};
 }
 
