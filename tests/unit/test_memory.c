@@ -60,9 +60,22 @@ static asp_surface *surface;
 /* What an entry point gives: a code, or the code that goes with a NULL. */
 typedef asp_code (*entry)(asp_error *error);
 
-/* An entry point that gives the code of what an expression with `error` makes. */
+typedef struct listed {
+  const char *name;
+  entry call;
+} listed;
+static listed entries[64];
+static size_t count;
+
+/* Defines and lists one; MAKES one that gives the code of what an expression with `error` makes. */
+#define ENTRY(name)                                                                                \
+  static asp_code name(asp_error *error);                                                          \
+  __attribute__((constructor)) static void list_##name(void) {                                     \
+    entries[count++] = (listed){#name, name};                                                      \
+  }                                                                                                \
+  static asp_code name(asp_error *error)
 #define MAKES(name, type, made, release)                                                           \
-  static asp_code name(asp_error *error) {                                                         \
+  ENTRY(name) {                                                                                    \
     type *is = made;                                                                               \
     asp_code code = is ? ASP_OK : error->code;                                                     \
     release(is);                                                                                   \
@@ -121,23 +134,23 @@ MAKES(smooth_wall, asp_wall, asp_wall_from_text("materials quartz steel", 0, 0, 
 MAKES(pair, asp_pair, asp_pair_create(asp_material_at(0), asp_material_at(0), error), asp_pair_free)
 MAKES(material, asp_material, asp_material_create("brass", error), asp_material_free)
 
-static asp_code describe(asp_error *error) {
+ENTRY(describe) {
   return asp_heights_describe(profile, &(asp_heights_numbers){0}, error);
 }
 
-static asp_code describe_map(asp_error *error) {
+ENTRY(describe_map) {
   return asp_heights_describe(gauss, &(asp_heights_numbers){0}, error);
 }
 
-static asp_code describe_slopes(asp_error *error) {
+ENTRY(describe_slopes) {
   aspi_slopes slopes;
   return aspi_profile_describe_slopes(profile, 20, &slopes, error);
 }
 
-static asp_code slopes(asp_error *error) {
+ENTRY(slopes) {
   static double room[4000];
-  size_t count;
-  return aspi_profile_slopes(profile, 20, room, &count, error);
+  size_t found;
+  return aspi_profile_slopes(profile, 20, room, &found, error);
 }
 
 static asp_code field_of(const asp_heights *of, double d_p, const aspi_grid *grid,
@@ -149,11 +162,11 @@ static asp_code field_of(const asp_heights *of, double d_p, const aspi_grid *gri
   return code;
 }
 
-static asp_code field(asp_error *error) {
+ENTRY(field) {
   return field_of(profile, 20, NULL, error);
 }
 
-static asp_code field_over_map(asp_error *error) {
+ENTRY(field_over_map) {
   return field_of(gauss, 10, &(aspi_grid){1, {0, 0}, {64, 64}}, error);
 }
 
@@ -284,40 +297,6 @@ static void write_files(void) {
 
 /* test_memory [MOST] */
 int main(int argc, char **argv) {
-  static const struct {
-    const char *name;
-    entry call;
-  } entries[] = {
-      {"profile, columns", read_columns},
-      {"profile, resampled", read_uneven},
-      {"profile, form and spikes", read_spikes},
-      {"profile, SDF", read_sdf},
-      {"profile, from a pipe", read_pipe},
-      {"profile, generated", create_profile},
-      {"profile, from heights", copy_profile},
-      {"profile described", describe},
-      {"slopes described", describe_slopes},
-      {"closing", close_profile},
-      {"slopes", slopes},
-      {"field over a profile", field},
-      {"map, SDF", read_sdf_map},
-      {"map, matrix", read_matrix},
-      {"map, triples", read_triples},
-      {"map, from heights", copy_map},
-      {"map described", describe_map},
-      {"sphere on a map", ball},
-      {"field over a map", field_over_map},
-      {"surface of a map", map_surface},
-      {"surface, closed form", closed_form},
-      {"surface, table", size_table},
-      {"surface, sphere", sphere},
-      {"surface, measured", measured_surface},
-      {"materials", materials},
-      {"table", table},
-      {"smooth wall", smooth_wall},
-      {"pair", pair},
-      {"material", material},
-  };
   char folder[] = "/tmp/test_memory.XXXXXX", name[64];
   if (!mkdtemp(folder) || chdir(folder) != 0)
     return 1;
@@ -328,7 +307,7 @@ int main(int argc, char **argv) {
   surface = asp_surface_create(1, 10, NULL);
   gauss = gauss_map_create(&(gauss_wall){1, 5, 5, 0}, (const double[2]){1, 1}, 64, 64, 1, NULL);
   long told = 0;
-  for (size_t i = 0; i < sizeof entries / sizeof *entries; i++)
+  for (size_t i = 0; i < count; i++)
     told += try_all(entries[i].name, entries[i].call);
   for (model = 0; model < asp_spread_count(); model++)
     for (int with = 0; with < 2; with++) {
