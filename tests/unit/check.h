@@ -30,6 +30,7 @@ int run_listed_tests(CMFixtureFunction before, CMFixtureFunction after);
  * the section that has the test's name. */
 enum { FIELDS = 5 };
 void each_row(const char *table, const char *section, void (*check)(char *fields[FIELDS]));
+int tell_row(void **state); /* after a test: the row where it failed, if in one */
 #ifdef __cplusplus
 }
 #endif

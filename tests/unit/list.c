@@ -8,7 +8,7 @@ static size_t count;
 
 void list_test(const char *name, CMUnitTestFunction run, CMFixtureFunction before,
                CMFixtureFunction after) {
-  tests[count++] = (struct CMUnitTest){name, run, before, after, NULL};
+  tests[count++] = (struct CMUnitTest){name, run, before, after ? after : tell_row, NULL};
 }
 
 int run_listed_tests(CMFixtureFunction before, CMFixtureFunction after) {

@@ -30,6 +30,16 @@ static char *field_of(char *text) {
   return text;
 }
 
+static char row[2000]; /* that is checked */
+
+int tell_row(void **state) {
+  (void)state;
+  if (*row)
+    print_error("in the row: %s\n", row);
+  *row = '\0';
+  return 0;
+}
+
 void each_row(const char *table, const char *section, void (*check)(char *fields[FIELDS])) {
   char path[1000], line[2000];
   const size_t length = strlen(section);
@@ -45,6 +55,7 @@ void each_row(const char *table, const char *section, void (*check)(char *fields
       within = strncmp(line + 1, section, length) == 0 && line[1 + length] == ']';
     else if (within && *line) {
       char *fields[FIELDS], none[] = "", *rest = line;
+      strcpy(row, line);
       for (int i = 0; i < FIELDS; i++) {
         char *next = rest ? strchr(rest, '@') : NULL;
         if (next)
@@ -59,6 +70,7 @@ void each_row(const char *table, const char *section, void (*check)(char *fields
     }
   }
   fclose(file);
+  *row = '\0';
   if (!rows)
     fail_msg("%s has no rows of %s", path, section);
 }
