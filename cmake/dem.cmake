@@ -25,7 +25,6 @@ add_library(asperity_dem STATIC
   dem/shapes/motion.cpp
   dem/shapes/node_tree.cpp
   dem/shapes/primitive.cpp
-  dem/shapes/shape.cpp
   dem/step/ahead.cpp
   dem/step/bodies.cpp
   dem/step/end_step.cpp

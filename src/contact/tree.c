@@ -212,17 +212,6 @@ bool aspi_tree_finish(ContactTree *tree) {
   return tree->by_id;
 }
 
-ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count) {
-  ContactTree *tree = aspi_tree_begin();
-  bool good = tree != NULL;
-  for (size_t i = 0; good && i < count; i++)
-    good = aspi_tree_add(tree, &triangles[i], id[i]);
-  if (good && aspi_tree_finish(tree))
-    return tree;
-  aspi_tree_free(tree);
-  return NULL;
-}
-
 void aspi_tree_free(ContactTree *tree) {
   if (!tree)
     return;

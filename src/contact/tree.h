@@ -22,13 +22,9 @@ typedef struct ContactList {
 
 void aspi_places_free(ContactList *list);
 
-/* Takes a copy of the triangles and of their numbers, `id` (from 0, each once; the
- * largest one counts for memory). NULL when out of
- * memory; count may be 0. */
-ContactTree *aspi_tree_create(const ContactTriangle *triangles, const int *id, size_t count);
-
-/* Make the tree triangle by triangle, with less memory in between: begin, add, and finish before
- * anything else. NULL and false when out of memory; the tree is to be freed all the same. */
+/* Make the tree triangle by triangle: begin, add, and finish before anything else. Takes copies of
+ * the triangles with their numbers, `id` (from 0, each once; the largest one counts for memory).
+ * NULL and false when out of memory; the tree is to be freed all the same. */
 ContactTree *aspi_tree_begin(void);
 bool aspi_tree_add(ContactTree *tree, const ContactTriangle *triangle, int id);
 bool aspi_tree_finish(ContactTree *tree);

@@ -296,7 +296,10 @@ private:
   }
 };
 
-/* The functions of a fix that are the same in both engines. */
+/* The functions of a fix that are the same in both engines. Contacts are worked out in
+ * post_integrate, when particles and meshes are where the step has taken them and before the forces
+ * are computed there: so that forces, ghosts and neighbor lists see where particles are after their
+ * rebounds. */
 template <class Fix, class Host> class WallHooks : public Fix {
 public:
   using Fix::Fix;

@@ -135,46 +135,27 @@ void Drive::move(double time, Frame &frame, Twist &twist) const {
 DrivenMesh::DrivenMesh(MPI_Comm world, const std::string &path, const Placing &placing,
                        const Drive &drive)
     : drive_(drive), path_(path), placing_(placing), origin_(0), has_begun_(false) {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
-  std::string wrong;
-  int rank;
-  MPI_Comm_rank(world, &rank);
-  if (rank == 0)
-    try {
-      tree.reset(read_tree());
-    } catch (const std::exception &error) {
-      wrong = message_of(error);
-    }
-  wrong = asperity::share(wrong, world);
-  if (!wrong.empty())
-    throw Error(wrong);
-  share(world, tree.release());
-}
-
-/* On rank 0. */
-ContactTree *DrivenMesh::read_tree() const {
-  struct Builder {
+  struct Adder {
     const Placing &placing;
-    std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree;
+    ContactTree *tree;
     int pieces;
-  } builder = {placing_, {aspi_tree_begin(), aspi_tree_free}, 0};
-  const auto take = [](void *to, const ContactTriangle *read) {
-    Builder &b = *static_cast<Builder *>(to);
-    ContactTriangle triangle = *read;
-    for (double *node : triangle.node) {
-      aspi_scale(b.placing.scale, node);
-      b.placing.frame.to_world(node, node);
-    }
-    return aspi_tree_add(b.tree.get(), &triangle, b.pieces++);
   };
-  asp_error error;
-  if (!builder.tree)
-    throw std::bad_alloc();
-  if (aspi_stl_read(path_.c_str(), take, &builder, &error))
-    throw Error(error.text);
-  if (!aspi_tree_finish(builder.tree.get()))
-    throw std::bad_alloc();
-  return builder.tree.release();
+  build(world, [this](ContactTree *tree) {
+    Adder adder = {placing_, tree, 0};
+    const auto take = [](void *to, const ContactTriangle *read) {
+      Adder &a = *static_cast<Adder *>(to);
+      ContactTriangle triangle = *read;
+      for (double *node : triangle.node) {
+        aspi_scale(a.placing.scale, node);
+        a.placing.frame.to_world(node, node);
+      }
+      return aspi_tree_add(a.tree, &triangle, a.pieces++);
+    };
+    asp_error error;
+    if (aspi_stl_read(path_.c_str(), take, &adder, &error))
+      throw_error(error);
+    return true;
+  });
 }
 
 std::string DrivenMesh::describe() const {

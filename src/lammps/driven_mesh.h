@@ -61,8 +61,7 @@ struct Placing {
 
 class DrivenMesh : public MeshShape {
 public:
-  /* Rank 0 reads the triangles; see MeshShape::share() for who keeps them. Collective. Throws an
-   * Error. */
+  /* Rank 0 reads the triangles; see NodeTree for who keeps them. Collective. Throws an Error. */
   DrivenMesh(MPI_Comm world, const std::string &path, const Placing &placing, const Drive &drive);
 
   size_t pieces() const {
@@ -82,8 +81,6 @@ public:
   void restore_motion(const std::vector<double> &record) override;
 
 private:
-  ContactTree *read_tree() const;
-
   Drive drive_;
   std::string path_;
   Placing placing_;

@@ -1,10 +1,6 @@
 /* fix wall/rebound: rough walls for LAMMPS. This is LAMMPS's side only: its hooks and the numbers
- * of each atom. What a wall does is in the library asperity_dem, which knows no engine.
- *
- * Contacts are worked out in post_integrate, when particles are where the step has taken them and
- * before the forces are computed there: so that forces, ghosts and neighbor lists see where
- * particles are after their rebounds. The first fix of the style does it for all of them, for a
- * particle may meet two walls in one step.
+ * of each atom. What both engines do is in
+ * dem/wall_fix.h; what a wall does, in the rest of dem, which knows no engine.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef FIX_CLASS

@@ -1,10 +1,6 @@
 /* fix wall/rebound: rough walls for LIGGGHTS. This is LIGGGHTS's side only: its hooks, meshes,
- * constants and per-atom numbers. What a wall does is in src/dem, which knows no engine.
- *
- * Contacts are worked out in post_integrate, when particles and meshes are where the step has taken
- * them and before the forces are computed there: so that forces, ghosts and neighbor lists see
- * where particles are after their rebounds. The first fix of the style does it for all of them, for
- * a particle may meet two walls in one step.
+ * constants and per-atom numbers. What both engines do is in
+ * dem/wall_fix.h; what a wall does, in the rest of dem, which knows no engine.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifdef FIX_CLASS

@@ -79,21 +79,15 @@ void MeshOfLiggghts::gather() {
 
 /* Rows of all triangles; those of rank 0 count. */
 void MeshOfLiggghts::take(const double *rows, size_t count) {
-  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
-  int rank;
-  MPI_Comm_rank(world_, &rank);
-  if (rank == 0) {
-    tree.reset(aspi_tree_begin());
-    bool good = tree != NULL;
+  build(world_, [rows, count](ContactTree *tree) {
+    bool good = true;
     for (const double *row = rows; good && row < rows + ROW * count; row += ROW) {
       ContactTriangle triangle;
       memcpy(triangle.node, row + 1, sizeof triangle.node);
-      good = aspi_tree_add(tree.get(), &triangle, static_cast<int>(row[0]));
+      good = aspi_tree_add(tree, &triangle, static_cast<int>(row[0]));
     }
-    if (!good || !aspi_tree_finish(tree.get()))
-      throw std::bad_alloc();
-  }
-  share(world_, tree.release());
+    return good;
+  });
   choose_nodes();
 }
 

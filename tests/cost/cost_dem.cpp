@@ -53,15 +53,13 @@ struct Plate {
       : mesh(new CountedMesh), triangles(0) {
     shape.reset(mesh);
     std::vector<ContactTriangle> all;
-    std::vector<int> ids;
     for (double x = lo; x < hi; x += width)
       for (double y = lo; y < hi; y += width) {
         all.push_back({{{x, y, 0}, {x + width, y, 0}, {x + width, y + width, 0}}});
         all.push_back({{{x, y, 0}, {x + width, y + width, 0}, {x, y + width, 0}}});
-        ids.push_back(static_cast<int>(triangles++));
-        ids.push_back(static_cast<int>(triangles++));
       }
-    mesh->set_triangles(all, ids);
+    triangles = all.size();
+    set_triangles(*mesh, all);
     mesh->set_images(Box());
   }
 };

@@ -166,10 +166,7 @@ bool run(Room &room, double diameters, double impacts) {
 
 Room mesh_room(const char *name, int levels, double least, double most, double turn, double swing) {
   Room room = {name, {}, ball(levels, least, most), new MeshShape, turn, swing, 0};
-  std::vector<int> id;
-  for (size_t i = 0; i < room.triangles.size(); i++)
-    id.push_back(static_cast<int>(i));
-  room.mesh->set_triangles(room.triangles, id);
+  set_triangles(*room.mesh, room.triangles);
   room.shapes.push_back(std::unique_ptr<Shape>(room.mesh));
   return room;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/shapes/mesh.h"
 #include "dem/step/mover.h"
 
 namespace asperity {
@@ -75,6 +76,16 @@ private:
 };
 
 typedef std::vector<std::unique_ptr<Shape>> Shapes;
+
+/* Gives a mesh its triangles, numbered from 0. */
+inline void set_triangles(MeshShape &mesh, const std::vector<ContactTriangle> &triangles) {
+  mesh.build(MPI_COMM_WORLD, [&triangles](ContactTree *tree) {
+    bool good = true;
+    for (size_t k = 0; k < triangles.size(); k++)
+      good = good && aspi_tree_add(tree, &triangles[k], static_cast<int>(k));
+    return good;
+  });
+}
 
 /* The wall that a script would describe so. triangles: of each of its meshes. */
 inline std::unique_ptr<Wall> make_wall(const Engine &engine, Shapes shapes,

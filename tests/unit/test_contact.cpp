@@ -306,6 +306,16 @@ TEST(test_sliding) {
   }
 }
 
+static ContactTree *make_tree(const std::vector<ContactTriangle> &triangles,
+                              const std::vector<int> &id) {
+  ContactTree *tree = aspi_tree_begin();
+  assert_non_null(tree);
+  for (size_t k = 0; k < id.size(); k++)
+    assert_true(aspi_tree_add(tree, &triangles[k], id[k]));
+  assert_true(aspi_tree_finish(tree));
+  return tree;
+}
+
 /* How far the box of a triangle is from a point, along one axis. */
 static double off_box(const ContactTriangle *t, const double x[3], int d) {
   const double a = t->node[0][d], b = t->node[1][d], c = t->node[2][d];
@@ -354,8 +364,7 @@ static void check_clear(const ContactTree *tree, int round) {
  * for all of its way, though within its box. */
 TEST(test_along) {
   const ContactTriangle triangle = {{{0, 0, 0}, {3, 1, 2}, {-1, 4, 3}}};
-  const int id = 0;
-  ContactTree *tree = aspi_tree_create(&triangle, &id, 1);
+  ContactTree *tree = make_tree({triangle}, {0});
   double n[3], ab[3], bc[3], outward[3], x[3];
   aspi_triangle_normal(&triangle, n);
   aspi_subtract(triangle.node[1], triangle.node[0], ab);
@@ -382,7 +391,7 @@ TEST(test_along) {
 
 TEST(test_tree) {
   for (int count = 0; count <= 3000; count = 3 * count + 1) {
-    std::vector<ContactTriangle> triangles(static_cast<size_t>(count) + 1);
+    std::vector<ContactTriangle> triangles(static_cast<size_t>(count));
     std::vector<int> id(triangles.size());
     for (int i = 0; i < count; i++) {
       double center[3];
@@ -395,7 +404,7 @@ TEST(test_tree) {
       }
       id[i] = 7 * count - (count % 2 ? 3 : 1) * i; /* with gaps, and without */
     }
-    ContactTree *tree = aspi_tree_create(triangles.data(), id.data(), static_cast<size_t>(count));
+    ContactTree *tree = make_tree(triangles, id);
     assert_non_null(tree);
     void *block = malloc(aspi_tree_bytes(tree));
     assert_non_null(block);

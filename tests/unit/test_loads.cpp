@@ -44,7 +44,7 @@ MeshShape *square(const double (&at)[3], const double (&normal)[3]) {
         both[t].node[c][d] = at[d] + (corner % 3 ? a[d] : -a[d]) + (corner > 1 ? b[d] : -b[d]);
     }
   MeshShape *mesh = new MeshShape;
-  mesh->set_triangles(both, {0, 1});
+  set_triangles(*mesh, both);
   mesh->set_images(Box());
   return mesh;
 }

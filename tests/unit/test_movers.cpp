@@ -102,7 +102,6 @@ void normal_of(const Room &room, int side, double n[3]) {
 std::unique_ptr<MeshShape> make_mesh(const Room &room) {
   const double half = 10;
   std::vector<ContactTriangle> triangles;
-  std::vector<int> ids;
   for (int k = 0; k < 2 * (room.sides + room.ends); k++) {
     double n[3], a[3], b[3];
     normal_of(room, k / 2, n);
@@ -118,13 +117,12 @@ std::unique_ptr<MeshShape> make_mesh(const Room &room) {
             -room.wide * n[d] + (corner % 3 ? a[d] : -a[d]) + (corner > 1 ? b[d] : -b[d]);
     }
     triangles.push_back(triangle);
-    ids.push_back(k);
   }
   std::unique_ptr<MeshShape> mesh(new MeshShape);
   Frame frame;
   Twist twist;
   move_to(room.move, 0, frame, twist);
-  mesh->set_triangles(triangles, ids);
+  set_triangles(*mesh, triangles);
   mesh->set_images(Box());
   mesh->motion().settle(frame, false);
   mesh->motion().set_last(twist);

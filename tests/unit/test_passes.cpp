@@ -173,7 +173,6 @@ void test_nip(double part, double dt, double friction, double turn, bool is_rod)
 /* A cube of width 2. */
 MeshShape *cube() {
   std::vector<ContactTriangle> all;
-  std::vector<int> ids;
   for (int k = 0; k < 12; k++) {
     const int axis = k / 4, a = (axis + 1) % 3, b = (axis + 2) % 3;
     ContactTriangle triangle;
@@ -184,10 +183,9 @@ MeshShape *cube() {
       triangle.node[n][b] = corner > 1 ? 1 : -1;
     }
     all.push_back(triangle);
-    ids.push_back(k);
   }
   MeshShape *mesh = new MeshShape;
-  mesh->set_triangles(all, ids);
+  set_triangles(*mesh, all);
   mesh->set_images(Box());
   return mesh;
 }
@@ -248,7 +246,7 @@ MeshShape *lid(double z) {
       both[t].node[n][2] = z;
     }
   MeshShape *mesh = new MeshShape;
-  mesh->set_triangles(both, {0, 1});
+  set_triangles(*mesh, both);
   mesh->set_images(Box());
   return mesh;
 }

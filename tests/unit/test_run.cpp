@@ -302,7 +302,6 @@ TEST(blown_up_velocities_are_told) {
 TEST(pits_hold_grains) {
   const int faces = 8;
   std::vector<ContactTriangle> triangles;
-  std::vector<int> ids;
   for (int k = 0; k < faces; k++) {
     ContactTriangle t = {};
     for (int j = 0; j < 2; j++) {
@@ -312,10 +311,9 @@ TEST(pits_hold_grains) {
       t.node[1 + j][2] = 0.7;
     }
     triangles.push_back(t);
-    ids.push_back(k);
   }
   std::unique_ptr<MeshShape> mesh(new MeshShape);
-  mesh->set_triangles(triangles, ids);
+  set_triangles(*mesh, triangles);
   mesh->set_images(Box());
   GrainsAtWall s(std::move(mesh), "rebound walton 0.5 0.3 0 deposit off", 1, 1e-3, 1e-4, faces);
   s.engine.least = s.engine.most = 2e-3;

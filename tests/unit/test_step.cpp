@@ -60,7 +60,7 @@ ShapePtr triangle_across(const double normal[3]) {
     for (int d = 0; d < 3; d++)
       triangle.node[k][d] = 100 * (cos(2 * ASP_PI * k / 3) * a[d] + sin(2 * ASP_PI * k / 3) * b[d]);
   std::unique_ptr<MeshShape> mesh(new MeshShape);
-  mesh->set_triangles(std::vector<ContactTriangle>(1, triangle), std::vector<int>(1, 0));
+  set_triangles(*mesh, {triangle});
   return ShapePtr(mesh.release());
 }
 
@@ -606,7 +606,7 @@ class Turntable : public MeshShape {
 TEST(belts_keep_their_radius) {
   ContactTriangle triangle = {{{-30, -20, 0}, {30, -20, 0}, {0, 40, 0}}};
   Turntable belt;
-  belt.set_triangles(std::vector<ContactTriangle>(1, triangle), std::vector<int>(1, 0));
+  set_triangles(belt, {triangle});
   Place place = {0, {3, 0, 0.5}};
   double x[3], v[3];
   for (int step = 0; step < 100; step++)

@@ -178,7 +178,7 @@ void set_plate(MeshShape &mesh) {
     aspi_copy(corner[k], triangles[0].node[k]);
     aspi_copy(corner[(k + 2) % 4], triangles[1].node[k]);
   }
-  mesh.set_triangles(triangles, {0, 1});
+  set_triangles(mesh, triangles);
 }
 
 const Box BOX = {{-2, 5, -1}, {1, 1, 0}};

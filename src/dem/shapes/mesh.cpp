@@ -9,6 +9,7 @@
 #include <new>
 
 #include "contact/vector.h"
+#include "dem/error.h"
 
 using namespace asperity;
 
@@ -35,19 +36,25 @@ MeshShape::~MeshShape() {
   aspi_places_free(&near_);
 }
 
-void MeshShape::set_triangles(const std::vector<ContactTriangle> &triangles,
-                              const std::vector<int> &id) {
-  put_tree(aspi_tree_create(triangles.data(), id.data(), id.size()));
-}
-
-void MeshShape::share(MPI_Comm world, ContactTree *tree) {
-  put_tree(shared_.spread(world, tree));
-}
-
-void MeshShape::put_tree(ContactTree *tree) {
-  if (!tree)
+void MeshShape::build(MPI_Comm world, const std::function<bool(ContactTree *)> &add) {
+  std::unique_ptr<ContactTree, void (*)(ContactTree *)> tree(NULL, aspi_tree_free);
+  std::string wrong;
+  int rank;
+  MPI_Comm_rank(world, &rank);
+  try {
+    if (rank == 0)
+      tree.reset(aspi_tree_begin());
+    if (rank == 0 && !(tree && add(tree.get()) && aspi_tree_finish(tree.get())))
+      throw std::bad_alloc();
+  } catch (const std::exception &error) {
+    wrong = message_of(error);
+  }
+  wrong = asperity::share(wrong, world);
+  if (!wrong.empty())
+    throw Error(wrong);
+  tree_.reset(shared_.spread(world, tree.release()));
+  if (!tree_)
     throw std::bad_alloc();
-  tree_.reset(tree);
 }
 
 Bounds MeshShape::whole() const {

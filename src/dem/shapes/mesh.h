@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -51,8 +52,9 @@ public:
   MeshShape();
   ~MeshShape() override;
 
-  /* The triangles in the mesh's own frame, and their numbers. Throws std::bad_alloc. */
-  void set_triangles(const std::vector<ContactTriangle> &triangles, const std::vector<int> &id);
+  /* Takes the triangles, in the mesh's own frame, that `add` gives to the tree of rank 0, for all
+   * ranks. add: false when out of memory; all ranks throw an Error that it throws. Collective. */
+  void build(MPI_Comm world, const std::function<bool(ContactTree *)> &add);
 
   /* Call when the mesh has moved, or the box may have changed. True if the box has other periods
    * than before. */
@@ -85,10 +87,6 @@ public:
   bool is_across(const double direction[3]) const override;
 
 protected:
-  /* The tree of rank 0, which is now the shape's, for all ranks; collective. Throws std::bad_alloc.
-   */
-  void share(MPI_Comm world, ContactTree *tree);
-
   /* True where MPI has no memory that the ranks of a node share. */
   bool each_keeps() const {
     return shared_.each_keeps();
@@ -124,7 +122,6 @@ private:
   }
   const std::vector<Shift> &images_ahead(const Course &course, double &steps) const;
   void local_path(const Path &path, const Shift &shift, ContactPath &local) const;
-  void put_tree(ContactTree *tree);
   const ContactList &meet(const Bounds &box, double reach) const;
   bool clip(const ContactPath &local, double radius, double &from, double &to) const;
   bool find_image(const ContactPath &local, double radius, double from, double latest,

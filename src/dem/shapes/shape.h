@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "asperity_engine.h"
+#include "contact/tolerances.h"
+#include "contact/vector.h"
 #include "dem/shapes/motion.h"
 
 namespace asperity {
@@ -126,13 +128,17 @@ public:
 
   /* Stores the position of a particle that sticks at this contact of the path; and, after it has
    * been carried for the time dt, gives its place and velocity at the end of the step. */
-  virtual void stick(const Path &path, const Contact &contact, Place &place) const;
+  virtual void stick(const Path &, const Contact &contact, Place &place) const {
+    place.piece = contact.piece;
+    aspi_copy(contact.x, place.at);
+  }
   virtual void carry(Place &place, double radius, double dt, double x[3], double v[3]) const = 0;
 
   /* Turns the axes of what sticks at a place as the shape turns from a share of the step of length
    * dt to its end, and gives the angular velocity then. */
-  virtual void turn(const Place &, double share, double dt, double axes[3][3],
-                    double omega[3]) const;
+  virtual void turn(const Place &, double, double, double[3][3], double omega[3]) const {
+    std::fill(omega, omega + 3, 0.0);
+  }
 
   /* The direction of a lay at a contact of the path; it turns with the shape. `lay_kind` is what
    * the shape can have. */
@@ -165,7 +171,11 @@ public:
   }
 
 protected:
-  static bool are_parallel(const double a[3], const double b[3]);
+  static bool are_parallel(const double a[3], const double b[3]) {
+    double across[3];
+    aspi_cross(a, b, across);
+    return aspi_length(across) <= GRAZING * aspi_length(a) * aspi_length(b);
+  }
 };
 
 } // namespace asperity
