@@ -17,7 +17,6 @@ add_library(asperity_dem STATIC
   dem/engine.cpp
   dem/model.cpp
   dem/model_report.cpp
-  dem/run.cpp
   dem/setup.cpp
   dem/shapes/mesh.cpp
   dem/shapes/mesh_carry.cpp

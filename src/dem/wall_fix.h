@@ -1,6 +1,6 @@
 /* Templates for the fixes of LIGGGHTS and LAMMPS: code that is the same but uses the engine's own
  * classes, whose headers are included before. Program is the class that has all others, Fix the
- * base class of its fixes. What needs no class of an engine is in run.h.
+ * base class of its fixes. What a wall does in a run is in run.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #pragma once
@@ -107,13 +107,13 @@ protected:
 };
 
 /* The fix, but for its hooks. Host is an EngineOf, or a class derived from one. */
-template <class Host> class WallFix : public Host, public WallRun {
+template <class Host> class WallFix : public WallRun<Host> {
 public:
   typedef typename Host::FixOfEngine EngineFix;
-
-  template <class Program>
-  WallFix(Program *program, EngineFix *fix)
-      : Host(program, fix), WallRun(static_cast<const Engine &>(*this)) {}
+  using WallRun<Host>::WallRun;
+  using WallRun<Host>::attempt;
+  using WallRun<Host>::fail;
+  using WallRun<Host>::wall;
 
   /* What is wrong with a fix that ties particles to bodies; "": nothing. True if a fix changes the
    * size or the shape of the box. */
@@ -125,23 +125,6 @@ public:
   virtual void check_atoms() const = 0;
   virtual void prepare() = 0;
   virtual void set_up_shapes() = 0;
-
-  void fail(const std::string &what) const override {
-    this->program_->error->all(FLERR, this->of_fix(what));
-  }
-  void fail_alone(const std::string &what) const override {
-    this->program_->error->one(FLERR, this->of_fix(what));
-  }
-  Spheres all_spheres() const override {
-    return Host::spheres();
-  }
-  using WallRun::spheres;
-  Box box() const override {
-    return Host::box();
-  }
-  int group_bit() const override {
-    return this->fix_->groupbit;
-  }
 
   /* Declares the fix's outputs to the engine; call when its wall is known. */
   void set_flags() {
@@ -156,7 +139,7 @@ public:
     fix->peratom_flag = fix->peratom_freq = 1;
     fix->size_peratom_cols = Wall::N_STATE;
     fix->nevery = 1;
-    fix->force_reneighbor = deletes();
+    fix->force_reneighbor = this->deletes();
     fix->next_reneighbor = -1;
     if (Ledger *ledger = wall.books.ledger()) {
       fix->local_flag = 1;
@@ -223,12 +206,12 @@ public:
   /* Takes away what the wall deletes. */
   void delete_particles() {
     auto *atom = this->program_->atom;
-    if (!deletes())
+    if (!this->deletes())
       return;
-    list_deleted();
+    this->list_deleted();
     long long mine = 0, all;
     for (int i = 0; i < atom->nlocal;) {
-      if (is_deleted(i)) {
+      if (this->is_deleted(i)) {
         atom->avec->copy(atom->nlocal - 1, i, 1);
         atom->nlocal--;
         mine++;
@@ -260,10 +243,6 @@ public:
   }
 
 private:
-  void renew_lists() override {
-    this->fix_->next_reneighbor = this->program_->update->ntimestep;
-  }
-
   /* True if a particle of any rank is in both groups. */
   bool shares_particles(const EngineFix *fix) const {
     const auto *atom = this->program_->atom;
@@ -272,27 +251,6 @@ private:
       mine |= (atom->mask[i] & fix->groupbit) && (atom->mask[i] & this->fix_->groupbit);
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, this->world());
     return any;
-  }
-
-  void check_use() override {
-    const auto *domain = this->program_->domain;
-    auto *group = this->program_->group;
-    const bool fixed = domain->nonperiodic < 2;
-    const Bounds box = this->bounds();
-    const int number = this->fix_->igroup;
-    const bool empty = number > 0 && this->program_->atom->natoms > 0 && group->count(number) < 1;
-    wall.check_use(fixed ? &box : NULL, empty ? group->names[number] : NULL);
-  }
-
-  bool particles_grow() const override {
-    const auto *modify = this->program_->modify;
-    for (int i = 0; i < modify->nfix; i++) {
-      const auto *fix = modify->fix[i];
-      if (strncmp(fix->style, "adapt", 5) == 0 && fix->nevery > 0 &&
-          (this->program_->update->ntimestep - 1) % fix->nevery == 0)
-        return true;
-    }
-    return false;
   }
 };
 

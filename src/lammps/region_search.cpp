@@ -71,7 +71,6 @@ struct RegionShape::Search {
   const Foot *touched(const Look &l) const;
   double reached(const Look &l, const Foot &foot) const;
   double next(const Look &l) const;
-  bool is_too_far(const Look &l, const Foot *foot) const;
   bool is_kept(const Look &begin, const Foot &foot) const;
   void go_back(Look &good, Look &bad) const;
   void fill(const Look &l, const Foot &foot, Contact &contact) const;
@@ -184,13 +183,6 @@ double RegionShape::Search::next(const Look &l) const {
   return time;
 }
 
-/* True if a look has passed a contact: it is out of the room, or deep in a face. */
-bool RegionShape::Search::is_too_far(const Look &l, const Foot *foot) const {
-  if (!l.in_room)
-    return true;
-  return foot && foot->distance - radius < -tolerance;
-}
-
 /* True if the overlap is within what riding on a moving part causes: the next step mends it. */
 bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
   bool was_there = false;
@@ -253,7 +245,8 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
     const Foot *foot = search.touched(now);
     if (looks == 2 && foot && now.in_room && !(now.time < end) && search.is_kept(good, *foot))
       return false;
-    if (looks > 1 && good.in_room && search.is_too_far(now, foot)) {
+    const bool is_deep = foot && foot->distance - radius < -search.tolerance;
+    if (looks > 1 && good.in_room && (!now.in_room || is_deep)) { /* it has passed a contact */
       const double far = now.time;
       search.go_back(good, now);
       foot = search.touched(now);
