@@ -3,23 +3,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/engine.h"
 
-#include <math.h>
 #include <algorithm>
 
 #include "asperity_engine.h"
 #include "dem/text.h"
 
 using namespace asperity;
-
-void Box::wrap(double x[3]) const {
-  for (int d = 0; d < 3; d++)
-    if (period[d] > 0)
-      x[d] -= period[d] * floor((x[d] - lo[d]) / period[d]);
-}
-
-Bounds Bounds::none() {
-  return Bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-}
 
 Bounds Bounds::of_path(const double x[3], const double v[3], double from, double to,
                        double radius) {
@@ -30,20 +19,6 @@ Bounds Bounds::of_path(const double x[3], const double v[3], double from, double
     box.hi[d] = std::max(a, b) + radius;
   }
   return box;
-}
-
-void Bounds::include(const double x[3]) {
-  for (int d = 0; d < 3; d++) {
-    lo[d] = std::min(lo[d], x[d]);
-    hi[d] = std::max(hi[d], x[d]);
-  }
-}
-
-void Bounds::widen(double by) {
-  for (int d = 0; d < 3; d++) {
-    lo[d] -= by;
-    hi[d] += by;
-  }
 }
 
 std::string Bounds::describe() const {

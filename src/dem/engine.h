@@ -6,6 +6,7 @@
 #include <math.h>
 #include <mpi.h>
 #include <stdint.h>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,16 +25,32 @@ struct Box {
   }
 
   /* Moves x by whole periods into the box. */
-  void wrap(double x[3]) const;
+  void wrap(double x[3]) const {
+    for (int d = 0; d < 3; d++)
+      if (period[d] > 0)
+        x[d] -= period[d] * floor((x[d] - lo[d]) / period[d]);
+  }
 };
 
 /* A box around something, its sides along the axes. */
 struct Bounds {
   double lo[3], hi[3];
-  void include(const double x[3]);
-  void widen(double by);
+  void include(const double x[3]) {
+    for (int d = 0; d < 3; d++) {
+      lo[d] = std::min(lo[d], x[d]);
+      hi[d] = std::max(hi[d], x[d]);
+    }
+  }
+  void widen(double by) {
+    for (int d = 0; d < 3; d++) {
+      lo[d] -= by;
+      hi[d] += by;
+    }
+  }
   std::string describe() const;
-  static Bounds none();
+  static Bounds none() {
+    return Bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  }
   /* The box of a sphere that moves from x by v, between two times. */
   static Bounds of_path(const double x[3], const double v[3], double from, double to,
                         double radius);

@@ -4,7 +4,6 @@
 #include "dem/model.h"
 
 #include <math.h>
-#include <string.h>
 #include <algorithm>
 
 #include "asperity_engine.h"

@@ -4,7 +4,6 @@
 #include "dem/wall.h"
 
 #include <math.h>
-#include <string.h>
 #include <algorithm>
 
 #include "contact/vector.h"

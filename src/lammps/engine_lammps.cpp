@@ -7,7 +7,6 @@
 #include "lammps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;

@@ -19,10 +19,8 @@
 #include "dem/shapes/primitive.h"
 #include "dem/text.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -30,9 +28,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using asperity::Books;
 using asperity::text;
-using asperity::Wall;
 using asperity::Words;
 
 static const char CITE[] =

@@ -28,12 +28,10 @@ const char NAME[] = "lammps-asperity";
 bool checked = false;
 LAMMPS *program = NULL; /* once it is checked */
 
-Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
-  return new FixWallRebound(lmp, narg, arg);
-}
-
 void register_style(Modify *modify) {
-  (*modify->fix_map)["wall/rebound"] = create_wall_rebound;
+  (*modify->fix_map)["wall/rebound"] = [](LAMMPS *lmp, int narg, char **arg) -> Fix * {
+    return new FixWallRebound(lmp, narg, arg);
+  };
 }
 
 } // namespace

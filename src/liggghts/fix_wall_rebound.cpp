@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fix_wall_rebound.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
 #include <algorithm>
 
@@ -17,9 +15,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using asperity::Books;
 using asperity::text;
-using asperity::Wall;
 using asperity::Words;
 
 /* ---- making ---- */

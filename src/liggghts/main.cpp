@@ -53,24 +53,15 @@ template <FixMapMember member> struct FixMapAccess {
 template <FixMapMember member> typename FixMapAccess<member>::Setter FixMapAccess<member>::setter;
 template struct FixMapAccess<&Modify::fix_map>;
 
-Fix *create_wall_rebound(LAMMPS *lmp, int narg, char **arg) {
-  return new FixWallRebound(lmp, narg, arg);
-}
-
 /* Adds the style to a Modify that may be under construction, before the rest of LAMMPS exists. */
 void register_style(LAMMPS *lammps, Modify *modify) {
   if (!strstr(lammps->universe->version, ASPERITY_LIGGGHTS_VERSION))
     check(NAME, library_mismatch("the LIGGGHTS library", lammps->universe->version,
                                  ASPERITY_LIGGGHTS_VERSION));
   check(NAME, check_layout("Modify", modify));
-  (*(modify->*fix_map_member))["wall/rebound"] = create_wall_rebound;
-}
-
-void check_classes(LAMMPS *lammps) {
-  check(NAME, check_layout("Atom", lammps->atom));
-  check(NAME, check_layout("Domain", lammps->domain));
-  check(NAME, check_layout("Neighbor", lammps->neighbor));
-  check(NAME, check_layout("Update", lammps->update));
+  (*(modify->*fix_map_member))["wall/rebound"] = [](LAMMPS *lmp, int narg, char **arg) -> Fix * {
+    return new FixWallRebound(lmp, narg, arg);
+  };
 }
 
 void handle_signals() {
@@ -120,7 +111,10 @@ int main(int argc, char **argv) {
   MPI_Init(&argc, &argv);
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
   register_style(lammps, lammps->modify); /* where the library was linked to itself */
-  check_classes(lammps);
+  check(NAME, check_layout("Atom", lammps->atom));
+  check(NAME, check_layout("Domain", lammps->domain));
+  check(NAME, check_layout("Neighbor", lammps->neighbor));
+  check(NAME, check_layout("Update", lammps->update));
   program = lammps;
   lammps->input->file();
   program = NULL;

@@ -14,13 +14,10 @@
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
-using asperity::Books;
 using asperity::Box;
-using asperity::ContactLoad;
 using asperity::Frame;
 using asperity::text;
 using asperity::Twist;
-using asperity::Wall;
 
 /* By how much of its size a mesh may have changed its form, by rounding. */
 static const double FORM = 1e-6;

@@ -14,7 +14,6 @@
 using namespace LAMMPS_NS;
 using asperity::Books;
 using asperity::ContactLoad;
-using asperity::Wall;
 
 /* A servo gets its force spread over about this many steps, as the contacts of soft grains last: a
  * rigid wall changes a velocity within one. */
