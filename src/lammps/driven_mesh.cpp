@@ -191,7 +191,7 @@ void DrivenMesh::begin_step(double time, double dt) {
   Frame frame;
   Twist twist;
   drive_.move(time - origin_, frame, twist);
-  check_turn("stl " + path_, aspi_length(twist.angular) * dt);
+  check_turn("stl", path_.c_str(), aspi_length(twist.angular) * dt);
   motion().advance(frame, twist, dt);
 }
 

@@ -9,11 +9,9 @@
 #include <string>
 
 #include "contact/vector.h"
-#include "dem/text.h"
 #include "region.h"
 
 using namespace LAMMPS_NS;
-using asperity::text;
 
 namespace {
 
@@ -137,7 +135,7 @@ void RegionPart::advance(double dt) {
   Pose begin, end, more;
   dt_ = dt;
   pose_ = pose();
-  asperity::check_turn(text("region '%s'", region_->id), pose_.angle - before.angle);
+  asperity::check_turn("region", region_->id, pose_.angle - before.angle);
   for (int k = 0; k < Pose::COUNT; k++) {
     rate_[k] = (pose_[k] - before[k]) / dt;
     const double change = has_rate_ ? rate_[k] - last[k] : 0;

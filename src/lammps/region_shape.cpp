@@ -72,7 +72,7 @@ auto region_of(D *domain, const std::string &id, long) ->
 /* ---- what it is made of ---- */
 
 RegionShape::RegionShape(LAMMPS *lammps, const std::string &id)
-    : lammps_(lammps), id_(id), open_(false), flat_(true), speed_(0) {
+    : lammps_(lammps), id_(id), open_(false), flat_(true), travel_(0), speed_(0) {
   add_region(find_region(), root_);
 }
 
@@ -165,23 +165,19 @@ bool RegionShape::is_still() const {
 
 void RegionShape::begin_step() {
   const double dt = lammps_->update->dt;
-  speed_ = 0;
+  double box[2][3];
+  travel_ = speed_ = 0;
   if (is_still())
     return;
   read_variables(lammps_, root_.region);
   for (RegionPart &part : parts_)
     if (part.moves())
       part.advance(dt);
-  speed_ = travel(dt) / dt;
-}
-
-double RegionShape::travel(double) const {
-  double box[2][3], most = 0;
   simulation_box(lammps_->domain, box);
   for (const RegionPart &part : parts_)
     if (part.moves())
-      most = std::max(most, part.travel(box));
-  return most;
+      travel_ = std::max(travel_, part.travel(box));
+  speed_ = travel_ / dt;
 }
 
 /* Puts the region to where it is at a share of the step. */

@@ -31,7 +31,9 @@ public:
   void begin_step();
 
   bool is_still() const override;
-  double travel(double dt) const override;
+  double travel(double) const override {
+    return travel_;
+  }
   double clear(const asperity::Course &course, const asperity::FaceList &stays) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
@@ -88,8 +90,8 @@ private:
   std::string id_;
   Node root_;
   std::vector<RegionPart> parts_;
-  bool open_, flat_; /* any part has an open face; all faces are flat */
-  double speed_;     /* of the fastest point in this step */
+  bool open_, flat_;      /* any part has an open face; all faces are flat */
+  double travel_, speed_; /* of the fastest point in this step */
   mutable Buffers buffers_;
 };
 

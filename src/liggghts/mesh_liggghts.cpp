@@ -241,7 +241,7 @@ void MeshOfLiggghts::begin_step(double dt) {
   if (mesh()->isMoving()) {
     Twist twist;
     const Frame frame = look(twist, dt);
-    asperity::check_turn(text("mesh '%s'", fix_->id), aspi_length(twist.angular) * dt);
+    asperity::check_turn("mesh", fix_->id, aspi_length(twist.angular) * dt);
     motion().advance(frame, twist, dt);
   } else if (motion().moves())
     motion().rest();

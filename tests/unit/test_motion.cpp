@@ -76,9 +76,9 @@ TEST(steady) {
 
 /* More than a quarter of a turn in a step is an error. */
 TEST(fast_turns) {
-  check_turn("mesh 'm'", 1.57);
+  check_turn("mesh", "m", 1.57);
   try {
-    check_turn("mesh 'm'", -1.58);
+    check_turn("mesh", "m", -1.58);
     assert_true(false);
   } catch (const Error &wrong) {
     assert_says(wrong.what(), "mesh 'm' turns by 90.53 degrees in a step");

@@ -155,13 +155,13 @@ Twist asperity::twist_about(const double point[3], const double axis[3], double 
   return twist;
 }
 
-void asperity::check_turn(const std::string &wall, double angle) {
+void asperity::check_turn(const char *kind, const char *name, double angle) {
   const double degrees = fabs(angle) * 180 / ASP_PI;
   if (!(degrees <= 90))
     throw Error(
-        text("%s turns by %.4g degrees in a step; it must be at most 90, so that its way is "
+        text("%s '%s' turns by %.4g degrees in a step; it must be at most 90, so that its way is "
              "known: take a shorter time step",
-             wall.c_str(), degrees));
+             kind, name, degrees));
 }
 
 Motion::Motion() : dt_(0), moves_(false), has_last_(false), in_world_(true) {}

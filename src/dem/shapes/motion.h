@@ -7,8 +7,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #pragma once
 
-#include <string>
-
 namespace asperity {
 
 /* world = turn * local + shift */
@@ -34,7 +32,7 @@ Twist twist_about(const double point[3], const double axis[3], double rate);
 
 /* Throws an Error if a wall turns by more than a quarter of a turn in a step: then its way there is
  * not known. */
-void check_turn(const std::string &wall, double angle);
+void check_turn(const char *kind, const char *name, double angle);
 
 class Motion {
 public:
