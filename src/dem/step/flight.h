@@ -171,7 +171,9 @@ void freeze(const Touch &touch, const Mover &mover, const Movers &movers, const 
 /* It rests at no other wall any more. */
 void leave_rests(const std::vector<Wall *> &walls, const Mover &mover);
 
-/* end_step.cpp: notes the energy of the rebounds of a ball on its way, for the end of the step. */
+/* energy.cpp: notes the energy of the rebounds of a ball on its way; and, at the end of the step,
+ * gives it the normal velocity that it has by that, where forces act. */
 void note_energy(const Flight &flight);
+void balance(Wall &wall, const Movers &movers, int i);
 
 } // namespace asperity
