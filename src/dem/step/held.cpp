@@ -20,7 +20,7 @@ namespace {
  * to their limit, if each is less than LAST of the one before. After SLOW of them all normal
  * impulses are solved at once in each. They have found no solution if more than DIVERGED of the
  * first approach is left. */
-const int JUMP = 4, SLOW = 80, SWEEPS = 300;
+const int JUMP = 4, SLOW = 80, SWEEPS = 120, SWEEPS_OF_BODY = 300;
 const double LAST = 0.999;
 const double CONVERGED = 1e-6, CONVERGED_OF_BODY = 1e-11, TINY = 1e-15;
 const double DIVERGED = 1e-3, DIVERGED_OF_BODY = 0.1;
@@ -282,7 +282,8 @@ bool sweep(const Mover &mover, HeldList all, double v[3], double omega[3]) {
     push(mover, s, s.p, v, omega);
     aspi_copy(NONE, s.change);
   }
-  for (int n = 0; n < SWEEPS; n++) {
+  const int most = mover.is_ball ? SWEEPS : SWEEPS_OF_BODY;
+  for (int n = 0; n < most; n++) {
     double now = 0, sum = 0, along = 0;
     for (Held &s : all) {
       double change[3];
