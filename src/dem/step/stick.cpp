@@ -152,22 +152,16 @@ void Wall::free_displaced(const Movers &movers, double moved) {
                            movers.bodies ? "bodies" : "particles", all));
 }
 
-static inline uint64_t bits(const double *x) {
-  uint64_t all;
-  memcpy(&all, x, sizeof all);
-  return all;
-}
-
-/* 0 if two vectors are the same to the bit. */
-static inline uint64_t change(const double a[3], const double b[3]) {
-  return (bits(a) ^ bits(b)) | (bits(a + 1) ^ bits(b + 1)) | (bits(a + 2) ^ bits(b + 2));
+/* True if two vectors are the same to the bit. */
+static inline bool is_same(const double a[3], const double b[3]) {
+  return memcmp(a, b, 3 * sizeof *a) == 0;
 }
 
 /* True if velocity and mass equal those of the last step: the load can be reused. */
 static inline bool comes_again(const StuckOne &at, const Spheres &s) {
   const size_t row = 3 * static_cast<size_t>(at.i);
-  const uint64_t spin = s.omega ? change(s.omega + row, NONE) : 0;
-  return (change(s.v + row, at.v) | spin | (bits(&at.mass) ^ bits(s.mass + at.i))) == 0;
+  return is_same(s.v + row, at.v) && memcmp(s.mass + at.i, &at.mass, sizeof at.mass) == 0 &&
+         (!s.omega || is_same(s.omega + row, NONE));
 }
 
 static inline void stop(const StuckOne &at, const Spheres &s) {
@@ -212,7 +206,7 @@ void Wall::hold_other(const Movers &movers, StuckOne &at) {
   drop_load(at, 0.5);
   const Stuck &place = movers.members(*this).rows.stuck(at.i);
   if (s) {
-    at.was_stopped = is_still && change(place.v, NONE) == 0;
+    at.was_stopped = is_still && is_same(place.v, NONE);
     aspi_copy(s->x + 3 * static_cast<size_t>(at.i), at.x);
     aspi_copy(s->v + 3 * static_cast<size_t>(at.i), at.v);
     at.mass = s->mass[at.i];
@@ -230,7 +224,7 @@ void Wall::carry_stuck(const Movers &movers) {
     still = still && member.shape->is_still() && !member.shape->measures();
   is_still = still;
   for (StuckOne &at : movers.members(*this).stuck)
-    if (still && at.is_shown && change(s->v + 3 * static_cast<size_t>(at.i), at.v) == 0)
+    if (still && at.is_shown && is_same(s->v + 3 * static_cast<size_t>(at.i), at.v))
       put_back(at, *s);
     else
       carry_other(movers, at);
