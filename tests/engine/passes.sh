@@ -76,7 +76,8 @@ for shape in cylinders polygons cylinder_plane hollow regions; do
   done
 done
 
-# A closed box of 20 mm with 60 grains of 1 mm that turns about z. At the end of no step is a grain outside, or in a wall.
+# A closed box of 20 mm with 60 grains of 1 mm that turns about z. At the end of no step is a grain outside, or deeper in a
+# wall than what approaches it as along it (GRAZING, 1e-6) gets in a step, here of up to two radii.
 cube 0.01 | stl > box.stl
 turn() { # NAME, the wall, lines before it, the angle at a step in Python
   { soft "-0.1 0.1 -0.1 0.1 -0.1 0.1"
@@ -96,7 +97,7 @@ assert len(a) == 60 * 301
 for row in a:
     t = -($4)(row.step)
     x, y = row.x * cos(t) - row.y * sin(t), row.x * sin(t) + row.y * cos(t)
-    assert max(abs(x), abs(y), abs(row.z)) < 0.0095 + 1e-6 * 0.0005, (row.step, row.id, x, y, row.z)" || die "$1"
+    assert max(abs(x), abs(y), abs(row.z)) < 0.0095 + 2e-6 * 0.0005, (row.step, row.id, x, y, row.z)" || die "$1"
 }
 for parts in 60 30 12 8 5; do
   period=$(mul 1e-4 $parts) angle="lambda step: 2 * pi * step / $parts"

@@ -7,7 +7,7 @@
  *
  * Where it rests and its energy along the wall is less than the next crest costs, it lies in a
  * valley (asp_wall_valley), an arc of a sine with the steepest slope q and the height h. With what
- * presses it, P = f - a.n (per mass; f, a as in step.cpp), and what pushes it along, a_t, the crest
+ * presses it, P = f - a.n (per mass; f, a as in meet.cpp), and what pushes it along, a_t, the crest
  * ahead costs
  *
  *   E_t < P h (sqrt(1 - s^2) - s acos s),     s = |a_t|/(q P)

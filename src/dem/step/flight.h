@@ -122,6 +122,11 @@ bool find_rest(const Mover &mover, Wall &wall, Rest &rest, const double x[3], co
  * path. */
 bool find_next(const std::vector<Wall *> &walls, Flight &flight, std::vector<Touch> &touches);
 
+/* meet.cpp: the contacts of one instant, the nth in a row: an impact, several at smooth walls, or
+ * all of them are sustained; all_stay: as between walls that close. The number of the one by which
+ * the mover has stuck, else -1. slid: set if every contact only slid. */
+int meet(Flight &flight, std::vector<Touch> &touches, int nth, bool all_stay, bool &slid);
+
 /* A contact, and the face of the rough wall there. */
 struct ContactPoint {
   const Mover &mover;
