@@ -19,6 +19,7 @@ using namespace LAMMPS_NS;
 using asperity::APPROACH;
 using asperity::AT_ONCE;
 using asperity::Contact;
+using asperity::Frame;
 using asperity::GRAZING;
 using asperity::Path;
 using asperity::TOUCHING;
@@ -62,6 +63,7 @@ struct RegionShape::Search {
     return STRIDE * radius / fastest;
   }
   void relative(const Look &l, const Foot &foot, double v_wall[3], double v[3]) const;
+  double mean_approach(const Look &l, const Foot &foot, const double v[3], double n_end[3]) const;
   double approach(const Look &l, const Foot &foot, bool &counts) const;
   double near(const Look &l, const Foot &foot) const;
   double acceleration(const Look &l, const Foot &foot) const;
@@ -71,7 +73,6 @@ struct RegionShape::Search {
   const Foot *touched(const Look &l) const;
   double reached(const Look &l, const Foot &foot) const;
   double next(const Look &l) const;
-  bool is_kept(const Look &begin, const Foot &foot) const;
   void go_back(Look &good, Look &bad) const;
   void fill(const Look &l, const Foot &foot, Contact &contact) const;
 };
@@ -99,6 +100,27 @@ void RegionShape::Search::relative(const Look &l, const Foot &foot, double v_wal
   aspi_subtract(path.v, v_wall, v);
 }
 
+/* The mean speed toward a foot, which has the velocity v from it now, until the path ends; n_end:
+ * what the foot's normal is then. */
+double RegionShape::Search::mean_approach(const Look &l, const Foot &foot, const double v[3],
+                                          double n_end[3]) const {
+  const double left = path.left - l.time;
+  aspi_copy(foot.n, n_end);
+  if (!shape.parts_[foot.part].moves() || !(left > 0))
+    return -aspi_dot(v, foot.n);
+  const asperity::Motion &motion = shape.parts_[foot.part].motion();
+  const Frame now = motion.frame_at(share(l.time)), end = motion.frame_at(share(path.left));
+  double n[3], way[3];
+  for (int j = 0; j < 3; j++)
+    n[j] = now.turn[0][j] * foot.n[0] + now.turn[1][j] * foot.n[1] + now.turn[2][j] * foot.n[2];
+  end.to_world_direction(n, n_end);
+  aspi_add_scaled(path.x, path.left, path.v, way);
+  end.to_local(way, way);
+  now.to_world(way, way);
+  aspi_subtract(way, l.x, way);
+  return -aspi_dot(way, foot.n) / left;
+}
+
 /* The speed toward a foot. It counts where it is more than rounding, or along a hollow face more
  * than sliding; of a sphere that slides along one, or begins its path at a moving face, where its
  * mean over the rest of the path does. */
@@ -110,9 +132,10 @@ double RegionShape::Search::approach(const Look &l, const Foot &foot, bool &coun
   const bool rides = shape.parts_[foot.part].moves() && !(l.time > 0);
   counts = speed > (foot.hollow > 0 ? GRAZING : APPROACH) * all;
   if ((slides || rides) && foot.distance - radius <= near(l, foot)) {
-    const double bend = (rides ? acceleration(l, foot) : 0) + (slides ? curve(l, foot, v) : 0);
-    const double mean = 0.5 * (path.left - l.time) * bend;
-    counts = speed + mean > APPROACH * all + MEASURED * fabs(mean);
+    double n_end[3];
+    const double mean = (rides ? mean_approach(l, foot, v, n_end) : speed) +
+                        (slides ? 0.5 * (path.left - l.time) * curve(l, foot, v) : 0);
+    counts = mean > APPROACH * all + MEASURED * fabs(mean - speed);
   }
   return speed;
 }
@@ -183,15 +206,6 @@ double RegionShape::Search::next(const Look &l) const {
   return time;
 }
 
-/* True if the overlap is within what riding on a moving part causes: the next step mends it. */
-bool RegionShape::Search::is_kept(const Look &begin, const Foot &foot) const {
-  bool was_there = false;
-  for (const Foot &other : begin.feet)
-    was_there = was_there || (other.face == foot.face && other.inside == foot.inside &&
-                              other.distance - radius <= near(begin, other));
-  return was_there && shape.parts_[foot.part].moves() && radius - foot.distance <= AT_ONCE * radius;
-}
-
 /* Between a place before the contact and one behind it, until one is at it. Along a face the
  * distance is nearly linear in time: the line through the two has its zero near the contact; each
  * third time the way is halved. */
@@ -220,7 +234,6 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   const double push_out = radius - foot.distance, left = path.left - l.time;
   contact.time = l.time;
   aspi_copy(foot.n, contact.n);
-  aspi_copy(foot.n, contact.n_end);
   relative(l, foot, contact.v_wall, v);
   contact.piece = 0;
   contact.face = foot.face;
@@ -231,7 +244,7 @@ void RegionShape::Search::fill(const Look &l, const Foot &foot, Contact &contact
   const double square = aspi_dot(v, v), off = aspi_dot(v, foot.n);
   contact.chord =
       asperity::chord_speed(contact.curve, sqrt(std::max(0.0, square - off * off)), left);
-  contact.approach_speed = -off + 0.5 * left * contact.follow + contact.chord;
+  contact.approach_speed = mean_approach(l, foot, v, contact.n_end) + contact.chord;
 }
 
 bool RegionShape::find(const Path &path, double radius, double latest, Contact &contact) const {
@@ -243,8 +256,6 @@ bool RegionShape::find(const Path &path, double radius, double latest, Contact &
   search.look(0, now);
   for (int looks = 1;; looks++) {
     const Foot *foot = search.touched(now);
-    if (looks == 2 && foot && now.in_room && !(now.time < end) && search.is_kept(good, *foot))
-      return false;
     const bool is_deep = foot && foot->distance - radius < -search.tolerance;
     if (looks > 1 && good.in_room && (!now.in_room || is_deep)) { /* it has passed a contact */
       const double far = now.time;

@@ -76,8 +76,7 @@ for shape in cylinders polygons cylinder_plane hollow regions; do
   done
 done
 
-# A closed box of 20 mm with 60 grains of 1 mm that turns about z. At the end of no step is a grain outside, or deeper in a
-# wall than what approaches it as along it (GRAZING, 1e-6) gets in a step, here of up to two radii.
+# A closed box of 20 mm with 60 grains of 1 mm that turns about z. At the end of no step is a grain outside, or in a wall.
 cube 0.01 | stl > box.stl
 turn() { # NAME, the wall, lines before it, the angle at a step in Python
   { soft "-0.1 0.1 -0.1 0.1 -0.1 0.1"
@@ -97,7 +96,7 @@ assert len(a) == 60 * 301
 for row in a:
     t = -($4)(row.step)
     x, y = row.x * cos(t) - row.y * sin(t), row.x * sin(t) + row.y * cos(t)
-    assert max(abs(x), abs(y), abs(row.z)) < 0.0095 + 2e-6 * 0.0005, (row.step, row.id, x, y, row.z)" || die "$1"
+    assert max(abs(x), abs(y), abs(row.z)) < 0.0095 + 1e-6 * 0.0005, (row.step, row.id, x, y, row.z)" || die "$1"
 }
 for parts in 60 30 12 8 5; do
   period=$(mul 1e-4 $parts) angle="lambda step: 2 * pi * step / $parts"
@@ -115,7 +114,8 @@ done
 [ $simulator = lammps ] || exit 0
 
 # Grains without friction, and with a little, that ride fast in the corners of a closed cone at rest, by up to 0.07 rad in a
-# step: none gains energy but what the velocity at a step's end lacks on a curve, 1 - cos^2(0.035) = 1.2e-3 (2e-4 was seen).
+# step: none gains more than a 2000th of its energy. (On a curve the velocity at a step's end lacks up to 1 - cos^2(0.035) of
+# it, which shows as a gain where the grain leaves the curve: 2e-4 was seen.)
 for friction in 0 0.03; do
   { soft "-0.03 0.03 -0.03 0.03 -0.03 0.03"
     awk 'BEGIN { for (i = 1; i <= 40; i++) { a = 0.157 * i; r = 0.0068 - 0.0004 * (i % 4) * 0.5; z = -0.0085 + 0.0003 * (i % 4); v = 0.2 + 0.02 * i
@@ -134,6 +134,6 @@ least = {}
 assert len(a) == 40 * 2001
 for row in a:
     energy = hypot(row.vx, row.vy, row.vz) ** 2 + 0.4 * 0.0005 ** 2 * hypot(row.omegax, row.omegay, row.omegaz) ** 2
-    assert energy < least.get(row.id, inf) * (1 + 1.2e-3), (row.step, row.id, energy / least[row.id] - 1)
+    assert energy < least.get(row.id, inf) * (1 + 5e-4), (row.step, row.id, energy / least[row.id] - 1)
     least[row.id] = min(energy, least.get(row.id, inf))" || die "grains in a cone, friction $friction"
 done

@@ -40,7 +40,7 @@ TEST(dnv_is_that_of_other_programs) {
 }
 
 /* No figure or table of these sources was at hand: Finnie's forms are typed again, and the
- * polynomial of ECRC at 10 degrees is evaluated by another program. */
+ * polynomials of DNV at 60 degrees and of ECRC at 10 are evaluated by another program. */
 TEST(laws_have_their_closed_forms) {
   const double a = 10 * ASP_PI / 180, b = 60 * ASP_PI / 180, unit = 7800 * 2500 / 4e9;
   const char *finnie = "erosion finnie 1GPa density 7800" WALTON;
@@ -50,6 +50,8 @@ TEST(laws_have_their_closed_forms) {
   is_near(worn(finnie, NULL, 50, atan(1.0 / 3) * 180 / ASP_PI, 1e-4, 1), unit * 0.3, 1e-9);
   is_near(worn("erosion finnie 1GPa share 0.1 density 7800" WALTON, NULL, 50, 60, 1e-4, 1),
           0.1 * unit * cos(b) * cos(b) / 3, 1e-12);
+  is_near(worn("erosion dnv" WALTON, NULL, 30, 60, 1e-4, 1), 2e-9 * pow(30, 2.6) * 0.8253466255,
+          1e-9);
   is_near(worn("erosion ecrc 120 grains semi_rounded" WALTON, NULL, 30, 10, 1e-4, 1),
           2.17e-7 * pow(120, -0.59) * 0.53 * pow(30, 2.41) * 0.6869760235, 1e-9);
 }

@@ -172,7 +172,9 @@ static void step_movers(const Walls &walls, const Movers &movers) {
     of.ahead.find_near(all, static_cast<int>(w), near);
     std::inplace_merge(near.begin(), near.begin() + first, near.end());
   }
-  for (size_t k = 0; k < near.size() && movers.dt > 0;) {
+  if (!(movers.dt > 0)) /* nothing goes anywhere */
+    return;
+  for (size_t k = 0; k < near.size();) {
     const int i = near[k].i;
     near_walls.clear();
     for (; k < near.size() && near[k].i == i; k++)
