@@ -33,6 +33,7 @@ add_library(asperity_dem STATIC
   dem/step/meet.cpp
   dem/step/memory.cpp
   dem/step/mover.cpp
+  dem/step/screen.cpp
   dem/step/search.cpp
   dem/step/contact_point.cpp
   dem/step/step.cpp
@@ -47,6 +48,6 @@ add_library(asperity_dem STATIC
 set_target_properties(asperity_dem PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 target_compile_options(asperity_dem PRIVATE -fno-semantic-interposition)
 set_source_files_properties(dem/step/ahead.cpp dem/step/end_step.cpp dem/step/energy.cpp dem/step/faces.cpp
-  dem/step/flight.cpp dem/step/mover.cpp dem/shapes/primitive.cpp dem/step/search.cpp dem/step/contact_point.cpp
+  dem/step/flight.cpp dem/step/mover.cpp dem/shapes/primitive.cpp dem/step/screen.cpp dem/step/search.cpp dem/step/contact_point.cpp
   dem/step/meet.cpp dem/step/step.cpp dem/step/sustained.cpp dem/step/held.cpp dem/books/books.cpp PROPERTIES UNITY_GROUP step)
 target_link_libraries(asperity_dem PUBLIC asperity MPI::MPI_CXX PRIVATE asperity_flags)

@@ -56,6 +56,17 @@ int aspi_tree_place(const ContactTree *tree, int id);
 double aspi_tree_clear(const ContactTree *tree, const double x[3], const double v[3], double reach,
                        double widen, double least, double most, const int *skip, int skipped);
 
+/* Planes that each have some of the triangles behind them: n.x <= at. */
+typedef struct ContactPlane {
+  double n[3], at;
+} ContactPlane;
+
+/* Fills at most `room` planes that separate x from all triangles nearer than `reach` except those
+ * in the planes of the `skipped` ones listed in `skip`; returns their number, -1 if there is no
+ * room for all, or no memory. `near` is for its own use. */
+int aspi_tree_separate(const ContactTree *tree, const double x[3], double reach, const int *skip,
+                       int skipped, ContactList *near, ContactPlane *planes, int room);
+
 /* Appends the places of all triangles whose boxes meet the box lo to hi and come within `reach` of
  * its middle. False when out of memory. */
 bool aspi_tree_meet(const ContactTree *tree, const double lo[3], const double hi[3], double reach,

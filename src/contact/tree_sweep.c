@@ -197,3 +197,55 @@ double aspi_tree_clear(const ContactTree *tree, const double x[3], const double 
   }
   return first;
 }
+
+/* True if a triangle is behind a plane, which is moved on by no more than `slack` for it. */
+static bool is_behind(const ContactTriangle *t, double slack, ContactPlane *plane) {
+  double most = plane->at;
+  for (int i = 0; i < 3; i++)
+    most = aspi_larger(most, aspi_dot(plane->n, t->node[i]));
+  if (most - plane->at > slack)
+    return false;
+  plane->at = most;
+  return true;
+}
+
+/* One plane across the nearest point of each triangle that is behind none, the nearest first. */
+int aspi_tree_separate(const ContactTree *tree, const double x[3], double reach, const int *skip,
+                       int skipped, ContactList *near, ContactPlane *planes, int room) {
+  const Planes stays = planes_of(tree, skip, skipped, reach);
+  double lo[3], hi[3];
+  for (int d = 0; d < 3; d++) {
+    lo[d] = x[d] - reach;
+    hi[d] = x[d] + reach;
+  }
+  near->count = 0;
+  if (!aspi_tree_meet(tree, lo, hi, reach, near))
+    return -1;
+  for (int count = 0;; count++) {
+    ContactPlane next = {{0, 0, 0}, 0};
+    double least = reach;
+    size_t left = 0;
+    for (size_t k = 0; k < near->count; k++) {
+      const ContactTriangle *t = &tree->triangles[near->item[k]];
+      double foot[3];
+      if (count > 0 ? is_behind(t, ONE_PLACE * reach, &planes[count - 1]) : is_in_planes(t, &stays))
+        continue;
+      const double distance = aspi_triangle_nearest(t, x, foot);
+      if (!(distance < reach))
+        continue;
+      near->item[left++] = near->item[k];
+      if (!(distance < least))
+        continue;
+      least = distance;
+      aspi_subtract(x, foot, next.n);
+      aspi_scale(1 / distance, next.n);
+      next.at = aspi_dot(next.n, foot);
+    }
+    near->count = left;
+    if (left == 0)
+      return count;
+    if (count == room || !(least > 0))
+      return -1;
+    planes[count] = next;
+  }
+}

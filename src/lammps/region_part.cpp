@@ -24,6 +24,10 @@ const double LEAST = 1e-3;
 /* An arc over its chord, at most: that of a quarter of a turn is 1.11. */
 const double ARC = 1.2;
 
+/* More than an eighth, for arcs of up to a quarter of a turn: by how much of the product of its
+ * angle with its length an arc is off its chord. */
+const double SAGITTA = 0.15;
+
 /* An axis is along one of the coordinates', or a box as wide as another, within this share; and
  * LAMMPS's 1e20 is endless. */
 const double ALONG = 1e-9, ENDLESS = 1e19;
@@ -203,6 +207,19 @@ double RegionPart::way(const double box[2][3], const asperity::Frame &from,
 /* One that looks the same however far it turns is not turned, as the search sees it. */
 double RegionPart::turn_speed() const {
   return is_round_ ? 0 : fabs(rate_.angle);
+}
+
+/* What is seen is bent by the product of the turn with the velocities of both. */
+double RegionPart::see(double from[3], double to[3]) const {
+  const double turn = aspi_length(motion_.screw().angular);
+  double way[3], seen[3];
+  aspi_subtract(to, from, way);
+  motion_.start().to_local(from, from);
+  motion_.end().to_local(to, to);
+  if (!(turn > 0))
+    return 0;
+  aspi_subtract(to, from, seen);
+  return SAGITTA * turn * (aspi_length(seen) + 3 * aspi_length(way));
 }
 
 /* The way from one end of the step to the other, as the part sees it, and what turns it. */

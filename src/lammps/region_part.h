@@ -48,6 +48,10 @@ public:
   double travel(const double box[2][3]) const;
   double turn_speed() const;
 
+  /* Turns the ends of a straight way in this step into those that the part sees; how far the way is
+   * off a straight line then, at most. */
+  double see(double from[3], double to[3]) const;
+
   /* The speed of a path relative to the part, at most; `most`: of any two points. */
   double fastest(const asperity::Path &path, double most) const;
 

@@ -17,6 +17,9 @@
 #include "dem/text.h"
 
 using namespace LAMMPS_NS;
+using asperity::Barrier;
+using asperity::BarrierList;
+using asperity::Barriers;
 using asperity::Contact;
 using asperity::Course;
 using asperity::FaceList;
@@ -269,6 +272,60 @@ double RegionShape::clear(const Course &course, const FaceList &stays) const {
     }
   }
   return steps;
+}
+
+/* A hollow face is outside of a ball that touches it at the foot. */
+bool RegionShape::separate(const double x[3], double reach, const FaceList &stays,
+                           BarrierList &made) const {
+  std::vector<Foot> &feet = buffers_.feet;
+  double aside[3];
+  aspi_add_scaled(x, reach, ASIDE, aside);
+  for (const RegionPart &part : parts_) {
+    feet.clear();
+    part.add_feet(aside, (1 + ASIDE_LENGTH) * reach, feet);
+    for (const Foot &foot : feet) {
+      double point[3], arm[3];
+      if (stays.has(foot.face))
+        continue;
+      if (!(foot.convex || foot.hollow > 0) || !(foot.distance > 0))
+        return false;
+      Barrier *barrier = made.add();
+      if (!barrier)
+        return false;
+      *barrier = Barrier();
+      barrier->part = foot.part;
+      barrier->is_ball = !foot.convex;
+      aspi_add_scaled(aside, -foot.distance, foot.n, point);
+      aspi_add_scaled(point, foot.convex ? 1 : foot.hollow, foot.n, arm);
+      part.motion().end().to_local(point, point);
+      part.motion().end().to_local(arm, arm);
+      aspi_copy(arm, barrier->n);
+      barrier->at = foot.hollow;
+      if (foot.convex) {
+        aspi_subtract(arm, point, barrier->n);
+        barrier->at = aspi_dot(barrier->n, point);
+      }
+    }
+  }
+  return true;
+}
+
+/* A part that turns sees the straight path bent. */
+double RegionShape::gap(const Barriers &all, const double from[3], const double to[3],
+                        double radius) const {
+  double least = HUGE_VAL;
+  const Barrier *last;
+  for (const Barrier *first = all.begin(); first < all.end(); first = last) {
+    const RegionPart &part = parts_[first->part];
+    for (last = first; last < all.end() && last->part == first->part;)
+      last++;
+    double begin[3], end[3];
+    aspi_copy(from, begin);
+    aspi_copy(to, end);
+    const double bent = part.moves() ? part.see(begin, end) : 0;
+    least = std::min(least, least_gap(Barriers(first, last), begin, end) - bent);
+  }
+  return least - apart(radius);
 }
 
 /* The acceleration along n that keeps a center at a face, by the face's curve: from the distance

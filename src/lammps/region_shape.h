@@ -35,6 +35,10 @@ public:
     return travel_;
   }
   double clear(const asperity::Course &course, const asperity::FaceList &stays) const override;
+  bool separate(const double x[3], double reach, const asperity::FaceList &stays,
+                asperity::BarrierList &made) const override;
+  double gap(const asperity::Barriers &all, const double from[3], const double to[3],
+             double radius) const override;
   bool find(const asperity::Path &path, double radius, double latest,
             asperity::Contact &contact) const override;
   bool under(int face, const double x[3], const double v[3], double reach, asperity::Contact &at,

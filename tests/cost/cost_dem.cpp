@@ -20,6 +20,7 @@ const double R = 1e-3, DT = 1e-5, GRAVITY = 9.81;
 const double NONE[3] = {0, 0, 0}, UP[3] = {0, 0, 1};
 const int SIDE = 10, GRAINS = SIDE * SIDE;
 const double GAP = 4 * R;                         /* between grains */
+const double SWING = 0.01, DRAG = 20;             /* an angle, and a rate */
 const double FINE = 0.3 * R, COARSE = SIDE * GAP; /* the squares of meshes */
 
 const char SMOOTH[] = "rebound walton 0.5 0.3 0 deposit off";
@@ -59,6 +60,32 @@ struct Plate {
         all.push_back({{{x, y, 0}, {x + width, y + width, 0}, {x, y + width, 0}}});
       }
     triangles = all.size();
+    set_triangles(*mesh, all);
+    mesh->set_images(Box());
+  }
+};
+
+/* A closed box with two triangles on each side. */
+struct Box12 {
+  std::unique_ptr<Shape> shape;
+  CountedMesh *mesh;
+  size_t triangles;
+
+  explicit Box12(double side) : mesh(new CountedMesh), triangles(12) {
+    shape.reset(mesh);
+    std::vector<ContactTriangle> all;
+    for (int d = 0; d < 3; d++)
+      for (int end = 0; end < 2; end++)
+        for (int half = 1; half < 3; half++) {
+          ContactTriangle one;
+          const int corner[3] = {0, half, 3};
+          for (int k = 0; k < 3; k++) {
+            one.node[k][d] = end * side;
+            one.node[k][(d + 1) % 3] = corner[k] % 2 * side;
+            one.node[k][(d + 2) % 3] = corner[k] / 2 * side;
+          }
+          all.push_back(one);
+        }
     set_triangles(*mesh, all);
     mesh->set_images(Box());
   }
@@ -109,16 +136,30 @@ public:
     of_.begin();
   }
 
+  /* Grains that do not meet each other, in a box of this side; `push` times their weight acts on
+   * them, now so and now so, as if others did. The box turns to and fro. */
+  Scene(Box12 box, double side, double push, double rate)
+      : of_(std::move(box.shape), SMOOTH, GRAINS, R, DT, box.triangles), mesh_(box.mesh),
+        rate_(rate), push_(push) {
+    of_.engine.least = of_.engine.most = 2 * R;
+    of_.grains.spins = true;
+    for (int i = 0; i < GRAINS; i++)
+      of_.grains.put(static_cast<size_t>(i),
+                     {draw(R, side - R), draw(R, side - R), draw(R, side - R)}, {0, 0, 0});
+    of_.begin();
+  }
+
   /* Counts what the wall does after the first steps, and how often its mesh is searched. */
   void count(const char *what, int first, int steps) {
     const double all = static_cast<double>(steps) * static_cast<double>(of_.grains.tag.size());
+    const bool moves = rate_ > 0 || push_ > 0;
     fly(first);
     if (mesh_)
       mesh_->clears = mesh_->finds = mesh_->found = 0;
     count_begin();
     fly(steps);
     count_end(what, all);
-    if (!mesh_ || mesh_->clears + mesh_->finds == 0)
+    if (!mesh_ || !(moves || mesh_->clears + mesh_->finds > 0))
       return;
     count_other(what, "courses", 1e6 * mesh_->clears / all);
     count_other(what, "searches", 1e6 * mesh_->finds / all);
@@ -130,18 +171,22 @@ private:
     Grains &g = of_.grains;
     const std::vector<Wall *> walls = g.walls;
     for (int k = 0; k < steps; k++) {
-      const double angle = rate_ * g.dt * static_cast<double>(++g.now);
+      const double phase = rate_ * g.dt * static_cast<double>(++g.now);
+      const double angle = push_ > 0 ? SWING * sin(phase) : phase;
+      const double speed = push_ > 0 ? SWING * rate_ * cos(phase) : rate_;
       g.kick();
       for (size_t d = 0; d < g.x.size(); d++)
         g.x[d] += g.v[d] * g.dt;
       const Spheres all = g.spheres();
       count_on();
       if (mesh_ && rate_ > 0) {
-        mesh_->motion().advance(turn_about(NONE, UP, angle), twist_about(NONE, UP, rate_), g.dt);
+        mesh_->motion().advance(turn_about(NONE, UP, angle), twist_about(NONE, UP, speed), g.dt);
         mesh_->set_images(Box());
       }
       step_walls(walls, all);
       count_off();
+      if (push_ > 0)
+        push();
       g.total = g.f;
       g.torque.assign(g.torque.size(), 0.);
       g.kick();
@@ -151,9 +196,20 @@ private:
     }
   }
 
+  double draw(double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(numbers_()) / 2147483647.;
+  }
+  void push() {
+    Grains &g = of_.grains;
+    for (size_t d = 0; d < g.f.size(); d++)
+      g.f[d] = GRAVITY * (push_ * draw(-1, 1) - (d % 3 == 2)) - DRAG * g.v[d];
+  }
+
   GrainsAtWall of_;
   CountedMesh *mesh_;
   const double rate_;
+  const double push_ = 0;
+  std::minstd_rand0 numbers_;
 };
 
 void count_at_plane(const char *what, const char *words, const Motion &motion, int first,
@@ -182,6 +238,11 @@ void count_jet_at(const char *what, std::unique_ptr<Shape> shape, CountedMesh *m
 void count_jet_at_mesh(const char *what, double width) {
   Plate plate(width, JET_LO, JET_HI);
   count_jet_at(what, std::move(plate.shape), plate.mesh, plate.triangles);
+}
+
+void count_pushed(const char *what, double rate) {
+  const double side = 6 * R, push = 5;
+  Scene(Box12(side), side, push, rate).count(what, 2000, 2000);
 }
 
 /* A rod of two spheres that turns in front of a plane, by this angle a step, without touching it.
@@ -264,6 +325,8 @@ int main() {
   count_jet_at_mesh("grain of a jet at a mesh", 3e-3);
   count_jet_at_mesh("grain of a jet at a fine mesh", 0.268e-3);
   count_beside_dust("grain that falls beside one of dust", {50 * R, 1, 0, GRAVITY, 0});
+  count_pushed("grain that is pushed about in a box", 0);
+  count_pushed("grain that is pushed about in a box that turns to and fro", 60);
   count_body("body that turns by 0.1", 0.1);
   count_body("body that turns by 3", 3);
   count_rows();

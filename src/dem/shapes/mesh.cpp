@@ -98,6 +98,40 @@ double MeshShape::clear(const Course &course, const FaceList &stays) const {
   return steps;
 }
 
+bool MeshShape::separate(const double x[3], double reach, const FaceList &stays,
+                         BarrierList &made) const {
+  const std::vector<Shift> &all = images_at(x, reach);
+  if (all.empty())
+    return true;
+  if (all.size() > 1 || aspi_length(all[0].by) > 0)
+    return false;
+  double at[3];
+  ContactPlane planes[BarrierList::MOST];
+  const int room = BarrierList::MOST - made.count;
+  aspi_copy(x, at);
+  if (!motion_.in_world())
+    motion_.end().to_local(x, at);
+  const int count =
+      aspi_tree_separate(tree_.get(), at, reach, stays.face, stays.count, &near_, planes, room);
+  for (int k = 0; k < count; k++) {
+    Barrier *barrier = made.add();
+    *barrier = Barrier();
+    aspi_copy(planes[k].n, barrier->n);
+    barrier->at = planes[k].at;
+  }
+  return count >= 0;
+}
+
+double MeshShape::gap(const Barriers &all, const double from[3], const double to[3],
+                      double radius) const {
+  if (motion_.in_world())
+    return Shape::gap(all, from, to, radius);
+  double begin[3], end[3];
+  motion_.start().to_local(from, begin);
+  motion_.end().to_local(to, end);
+  return Shape::gap(all, begin, end, radius);
+}
+
 bool MeshShape::repeats(int axis) const {
   return period_[axis] > 0;
 }

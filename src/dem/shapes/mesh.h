@@ -72,6 +72,10 @@ public:
 
   double travel(double dt) const override;
   double clear(const Course &course, const FaceList &stays) const override;
+  bool separate(const double x[3], double reach, const FaceList &stays,
+                BarrierList &made) const override;
+  double gap(const Barriers &all, const double from[3], const double to[3],
+             double radius) const override;
   bool repeats(int axis) const override;
   bool find(const Path &path, double radius, double latest, Contact &contact) const override;
   bool under(int face, const double x[3], const double v[3], double reach, Contact &at,

@@ -67,6 +67,10 @@ public:
     return end_;
   }
 
+  const Frame &start() const {
+    return moves_ ? start_ : end_;
+  }
+
   /* Of the whole step, times its duration. */
   const Twist &screw() const {
     return screw_;
@@ -90,7 +94,7 @@ private:
   Twist twist_at(double s) const;
 
   Frame begin_, end_;
-  Frame start_; /* frame_at(0), which most searches ask for */
+  Frame start_; /* screwed(0) */
   Twist screw_; /* of the whole step, times its duration */
   Twist end_velocity_;
   Twist start_velocity_, gain_; /* so that the mean is the screw's, and what is added in the step */

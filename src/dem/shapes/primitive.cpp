@@ -39,6 +39,20 @@ double PlaneShape::clear(const Course &course, const FaceList &stays) const {
   return !(gap > 0) ? 0 : closing * course.most > gap ? gap / closing : course.most;
 }
 
+bool PlaneShape::separate(const double x[3], double reach, const FaceList &stays,
+                          BarrierList &made) const {
+  const double off = x[axis_] - at_;
+  if (stays.count > 0 || fabs(off) > reach)
+    return true;
+  Barrier *barrier = made.add();
+  if (!barrier)
+    return false;
+  *barrier = Barrier();
+  barrier->n[axis_] = off < 0 ? -1 : 1;
+  barrier->at = barrier->n[axis_] * at_;
+  return true;
+}
+
 /* The side of a center on the plane is the one that it comes from. */
 bool PlaneShape::find(const Path &path, double radius, double latest, Contact &contact) const {
   const double off = path.x[axis_] - at_, v = path.v[axis_], gap = fabs(off) - radius;
@@ -87,6 +101,33 @@ double CylinderShape::clear(const Course &course, const FaceList &) const {
   const double gap = fabs(axis_distance(course.x) - radius_) - course.reach;
   const double closing = course.widen + aspi_length(v);
   return !(gap > 0) ? 0 : closing * course.most > gap ? gap / closing : course.most;
+}
+
+/* From outside a plane along the cylinder; from inside the cylinder itself. */
+bool CylinderShape::separate(const double x[3], double reach, const FaceList &,
+                             BarrierList &made) const {
+  const double off = axis_distance(x);
+  if (fabs(off - radius_) > reach)
+    return true;
+  Barrier *barrier = made.add();
+  if (!barrier)
+    return false;
+  *barrier = Barrier();
+  barrier->is_ball = off < radius_;
+  if (barrier->is_ball)
+    return true;
+  aspi_subtract(x, center_, barrier->n);
+  barrier->n[axis_] = 0;
+  aspi_scale(1 / off, barrier->n);
+  barrier->at = aspi_dot(barrier->n, center_) + radius_;
+  return true;
+}
+
+double CylinderShape::gap(const Barriers &all, const double from[3], const double to[3],
+                          double radius) const {
+  if (!all.begin()->is_ball)
+    return Shape::gap(all, from, to, radius);
+  return radius_ - std::max(axis_distance(from), axis_distance(to)) - apart(radius);
 }
 
 /* Wall velocity at the particle's center, so that a wall that turns carries all sizes at one

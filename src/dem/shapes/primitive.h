@@ -26,6 +26,8 @@ public:
     return are_parallel(direction, n);
   }
   double clear(const Course &course, const FaceList &stays) const override;
+  bool separate(const double x[3], double reach, const FaceList &stays,
+                BarrierList &made) const override;
   bool repeats(int axis) const override {
     return axis != axis_;
   }
@@ -52,6 +54,10 @@ class CylinderShape : public Shape {
 public:
   CylinderShape(int axis, const double center[3], double radius, double along, double turn);
   double clear(const Course &course, const FaceList &stays) const override;
+  bool separate(const double x[3], double reach, const FaceList &stays,
+                BarrierList &made) const override;
+  double gap(const Barriers &all, const double from[3], const double to[3],
+             double radius) const override;
   bool repeats(int axis) const override {
     return axis == axis_;
   }

@@ -73,6 +73,46 @@ struct FaceList {
   }
 };
 
+/* What stands between a center and a face, in the frame of the part that has the face: a plane, n.x
+ * = at, with the face behind it; or a ball within which the face does not come. */
+struct Barrier {
+  double n[3], at; /* of a ball the center, and its radius */
+  bool is_ball;
+  int shape, part;
+
+  double distance(const double x[3]) const {
+    if (!is_ball)
+      return aspi_dot(n, x) - at;
+    double arm[3];
+    aspi_subtract(x, n, arm);
+    return at - aspi_length(arm);
+  }
+};
+
+/* Those of one shape. */
+class Barriers {
+public:
+  Barriers(const Barrier *first, const Barrier *last) : first_(first), last_(last) {}
+  const Barrier *begin() const {
+    return first_;
+  }
+  const Barrier *end() const {
+    return last_;
+  }
+
+private:
+  const Barrier *first_, *last_;
+};
+
+struct BarrierList {
+  enum { MOST = 4 };
+  int count;
+  Barrier all[MOST];
+  Barrier *add() {
+    return count < MOST ? &all[count++] : NULL;
+  }
+};
+
 /* Impulse of one contact on one piece of a wall. */
 struct ContactLoad {
   int particle; /* -1: a body */
@@ -99,6 +139,19 @@ public:
   /* Lower bound of the number of steps in which a sphere on this course cannot meet the shape where
    * that is at the end of this step. The faces at which it stays do not count. */
   virtual double clear(const Course &course, const FaceList &stays) const = 0;
+
+  /* Adds barriers between a center and all faces that are nearer than `reach` at the end of this
+   * step, but for those at which it stays. False if there are too many, or the shape has none. */
+  virtual bool separate(const double[3], double, const FaceList &, BarrierList &) const {
+    return false;
+  }
+
+  /* How far a sphere that moves straight in this step, as find() searches it, keeps from what is
+   * behind all of these barriers, at least; it meets nothing where that is not negative. */
+  virtual double gap(const Barriers &all, const double from[3], const double to[3],
+                     double radius) const {
+    return least_gap(all, from, to) - apart(radius);
+  }
 
   /* True if the shape looks the same to a particle before and after it crosses the periodic edge of
    * the box along an axis. */
@@ -171,6 +224,17 @@ public:
   }
 
 protected:
+  /* So far from a face a search finds no contact. */
+  static double apart(double radius) {
+    return (1 + 2 * AT_ONCE) * radius;
+  }
+
+  static double least_gap(const Barriers &all, const double from[3], const double to[3]) {
+    double least = HUGE_VAL;
+    for (const Barrier &one : all)
+      least = std::min(least, std::min(one.distance(from), one.distance(to)));
+    return least;
+  }
   static bool are_parallel(const double a[3], const double b[3]) {
     double across[3];
     aspi_cross(a, b, across);

@@ -19,6 +19,9 @@ namespace {
 /* Ahead::due_ of a particle that is stuck, or not of the group: never near. */
 const int NEVER = INT_MAX;
 
+/* Ahead::due_ of one that has a screen. */
+const int SCREENED = INT_MAX - 1;
+
 /* A particle that comes to a wall within so many steps is near: they are not worth another look. */
 const double SOON = 2;
 
@@ -26,10 +29,18 @@ const double SOON = 2;
  * steps. */
 const int STAYS_NEAR = 32;
 
+/* One that moves by a larger share of a screen's range in a step has none. Before one is made, and
+ * where it does not hold, the wall is searched for some steps. */
+const double SLOW_SHARE = 0.125;
+const int SEARCHES = 2;
+
+/* Predictions of fewer steps are not worth their cost where a screen holds. */
+const int SHORT = 32;
+
 /* A path of so many radii in a step is none: the engine has blown up. */
 const double FARTHEST = 1e9;
 
-/* Particles are screened in blocks of this many. */
+/* Velocities are checked in blocks of so many particles. */
 const int BLOCK = 32;
 
 /* Longest prediction, in steps. */
@@ -57,7 +68,7 @@ const double COMPONENT = 0.577;
 } // namespace
 
 Ahead::Ahead(const Setup &setup, const Memories &rows, bool are_bodies)
-    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), travel_(0) {}
+    : setup_(setup), rows_(rows), are_bodies_(are_bodies), now_(0), travel_(0), most_(0) {}
 
 double Ahead::bend(double radius) {
   return BEND * radius;
@@ -68,8 +79,9 @@ void Ahead::watch(int i) {
 }
 
 void Ahead::clear() {
+  for (int &due : due_)
+    due = due < -now_ ? due + now_ : 0;
   now_ = 0;
-  std::fill(due_.begin(), due_.end(), 0);
 }
 
 void Ahead::reorder(const Spheres &s) {
@@ -83,16 +95,22 @@ void Ahead::reorder(const Spheres &s) {
   tag_.resize(n, -1);
   for (size_t i = 0; i < n; i++) {
     const int64_t tag = s.tag_of(static_cast<int>(i));
-    if (tag_[i] == tag && (stray_[i] < INFINITY || rows_.is_stuck(static_cast<int>(i))))
+    const bool was_stuck = due_[i] == NEVER && !(stray_[i] < INFINITY);
+    if (tag_[i] == tag && (!was_stuck || rows_.is_stuck(static_cast<int>(i))))
       continue;
     tag_[i] = tag;
     due_[i] = 0;
   }
+  const auto is_gone = [this, &s](const Screen &one) {
+    return one.i >= s.n || due_[static_cast<size_t>(one.i)] != SCREENED;
+  };
+  screens_.erase(std::remove_if(screens_.begin(), screens_.end(), is_gone), screens_.end());
 }
 
 size_t Ahead::bytes() const {
   return due_.capacity() * sizeof(int) + tag_.capacity() * sizeof(int64_t) +
-         (v_.capacity() + stray_.capacity() + least_.capacity()) * sizeof(float);
+         (v_.capacity() + stray_.capacity() + least_.capacity()) * sizeof(float) +
+         screens_.capacity() * sizeof(Screen);
 }
 
 /* True if one of n components of a velocity differs by more than `most` from the predicted one. */
@@ -111,31 +129,35 @@ static bool any_due(const int *due, int n, int now) {
 }
 
 /* The speed by which a particle may stray. A wide course comes to a wall long before the particle
- * does; a narrow one is left as soon as forces act. What is stuck has none. */
+ * does, unless that is slow; a narrow one is left as soon as forces act. What is stuck has none. */
 float Ahead::stray(const Spheres &s, int i) const {
   if (rows_.is_stuck(i))
     return INFINITY;
   const size_t at = 3 * static_cast<size_t>(i);
-  const double most = STRAY_MOST * s.radius[i] / s.dt;
-  if (are_bodies_ || rows_.status(i) == Status::RESTING)
+  const double most = STRAY_MOST * s.radius[i] / s.dt, speed = aspi_length(s.v + at);
+  if (are_bodies_ || rows_.status(i) == Status::RESTING || speed <= most)
     return static_cast<float>(most);
   const double pushed = sqrt(aspi_length(s.f + at) / s.mass[i] * s.radius[i]);
-  return static_cast<float>(std::min(most, STRAY * aspi_length(s.v + at) + pushed));
+  return static_cast<float>(std::min(most, STRAY * speed + pushed));
 }
 
 /* Most particles have a valid prediction that they are too far away; it holds while their velocity
- * stays near the predicted one. A block is screened by what its particles may stray at least. */
+ * stays near the predicted one. A block is checked by what its particles may stray at least. */
 void Ahead::find_near(const Spheres &s, int number, std::vector<Candidate> &near) {
-  double travel = 0;
+  travel_ = 0;
   for (const Member &member : setup_.shapes)
-    travel = std::max(travel, member.shape->travel(s.dt));
-  if (travel > travel_) {
-    travel_ = FASTER * travel;
+    travel_ = std::max(travel_, member.shape->travel(s.dt));
+  if (travel_ > most_) {
+    most_ = FASTER * travel_;
     clear();
   }
   if (now_ > INT_MAX / 2)
     clear(); /* before the count of steps could overflow */
   now_++;
+  const auto first_near = static_cast<std::ptrdiff_t>(near.size());
+  if (!screens_.empty())
+    check_screens(s, number, near);
+  const auto last_screened = static_cast<std::ptrdiff_t>(near.size());
   const float share = static_cast<float>(COMPONENT);
   for (int first = 0; first < s.n; first += BLOCK) {
     const int count = std::min(BLOCK, s.n - first);
@@ -154,6 +176,8 @@ void Ahead::find_near(const Spheres &s, int number, std::vector<Candidate> &near
         near.push_back(Candidate{first + i, number});
     least = *std::min_element(stray, stray + count);
   }
+  if (last_screened > first_near)
+    std::sort(near.begin() + first_near, near.end());
 }
 
 /* The faces of a shape at which a particle rests: its way ends at them, unless a command of the
@@ -178,29 +202,61 @@ FaceList Ahead::faces(const Spheres &s, int i, size_t shape) const {
   return faces;
 }
 
+void Ahead::note_velocity(const Spheres &s, int i) {
+  const size_t at = 3 * static_cast<size_t>(i);
+  for (size_t d = at; d < at + 3; d++)
+    v_[d] = static_cast<float>(s.v[d]);
+}
+
 /* Makes a new prediction when the old one has expired; true if the particle may touch in this step.
  * (A prediction widens by the allowed stray distance in every step, so no particle may stray
  * farther in any of them: another particle could throw it back to the wall earlier.) */
 bool Ahead::look(const Spheres &s, int i) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
-  float *along = &v_[3 * static_cast<size_t>(i)];
   int *due = &due_[i];
-  if (*due < 0 && now_ < -*due)
+  const bool was_near = *due < 0;
+  if (was_near && now_ < -*due)
     return true;
-  const bool out = !(s.mask[i] & setup_.groupbit) || rows_.is_stuck(i);
-  if (!out && !(aspi_length(v) * s.dt <= FARTHEST * s.radius[i]))
+  float &strays = stray_[static_cast<size_t>(i)];
+  strays = stray(s, i);
+  note_velocity(s, i);
+  if (!(s.mask[i] & setup_.groupbit) || rows_.is_stuck(i)) {
+    *due = NEVER;
+    return false;
+  }
+  if (!(aspi_length(v) * s.dt <= FARTHEST * s.radius[i]))
     throw Error(
         text("the velocity of particle %lld is %g %g %g, by which it moves over %g radii in "
              "a step; a force or the time step is far too large",
              static_cast<long long>(s.tag_of(i)), v[0], v[1], v[2], FARTHEST));
-  for (int d = 0; d < 3; d++)
-    along[d] = static_cast<float>(v[d]);
-  stray_[static_cast<size_t>(i)] = stray(s, i);
-  *due = out ? NEVER : now_ + steps_clear(s, i);
-  if (*due > now_)
+  int steps = was_near ? 0 : steps_clear(s, i);
+  Screened now = Screened::NONE;
+  if (was_near || (steps < SHORT && is_wide(s, i, steps))) {
+    Screen made(s, i);
+    now = screen(s, i, made);
+    if (now == Screened::HOLDS &&
+        (!made.is_empty() || steps == 0 || rows_.status(i) == Status::RESTING)) {
+      screens_.push_back(made);
+      strays = INFINITY;
+      *due = SCREENED;
+      return false;
+    }
+  }
+  if (was_near && now == Screened::NONE)
+    steps = steps_clear(s, i);
+  const int searches = was_near && now == Screened::NONE ? STAYS_NEAR : SEARCHES;
+  *due = steps > 0 ? now_ + steps : -(now_ + searches);
+  return !(steps > 0);
+}
+
+/* True if a particle moves by less than its course widens, and this has ended the course near the
+ * wall: a screen holds for longer. */
+bool Ahead::is_wide(const Spheres &s, int i, int steps) const {
+  const size_t at = static_cast<size_t>(i);
+  const double widens = s.dt * static_cast<double>(stray_[at]) + most_;
+  if (s.dt * aspi_length(s.v + 3 * at) > widens)
     return false;
-  *due = -(now_ + STAYS_NEAR);
-  return true;
+  return rows_.status(i) == Status::RESTING || steps * widens < Screen::range(s.radius[i]);
 }
 
 /* Number of steps, with this one, in which a particle cannot touch the wall if it keeps its
@@ -216,7 +272,7 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
     course.x[d] = x[d] - course.v[d];
   }
   const double stray = s.dt * stray_[static_cast<size_t>(i)];
-  course.widen = stray + bend(s.radius[i]) + FLT_EPSILON * aspi_length(course.v) + travel_;
+  course.widen = stray + bend(s.radius[i]) + FLT_EPSILON * aspi_length(course.v) + most_;
   course.reach = (1 + ROUNDING) * s.radius[i] + (course.widen - stray);
   if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
@@ -225,4 +281,45 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
     course.most = setup_.shapes[m].shape->clear(course, faces(s, i, m));
   course.most *= 1 - ROUNDING;
   return course.most < SOON ? 0 : static_cast<int>(course.most);
+}
+
+/* ---- screens ---- */
+
+/* Makes one for a slow particle. */
+Ahead::Screened Ahead::screen(const Spheres &s, int i, Screen &made) const {
+  const double way = s.dt * aspi_length(s.v + 3 * static_cast<size_t>(i)) + travel_;
+  if (are_bodies_ || way > SLOW_SHARE * Screen::range(s.radius[i]))
+    return Screened::NONE;
+  made = Screen(s, i);
+  for (size_t m = 0; m < setup_.shapes.size(); m++)
+    if (!made.add(setup_, m, faces(s, i, m)))
+      return Screened::NONE;
+  return made.holds(setup_, s, travel_) ? Screened::HOLDS : Screened::FAILS;
+}
+
+/* Lists those whose screens do not hold, nor new ones. One that is free and has nothing near is
+ * predicted. */
+void Ahead::check_screens(const Spheres &s, int number, std::vector<Candidate> &near) {
+  for (size_t k = 0; k < screens_.size();) {
+    Screen &one = screens_[k];
+    const int i = one.i;
+    bool holds = false;
+    if (due_[i] == SCREENED) {
+      Screened now = one.holds(setup_, s, travel_) ? Screened::HOLDS : Screened::NONE;
+      if (now == Screened::NONE && (!one.is_empty() || rows_.status(i) == Status::RESTING))
+        now = screen(s, i, one);
+      holds = now == Screened::HOLDS;
+      if (!holds)
+        due_[i] = now == Screened::NONE ? 0 : -(now_ + SEARCHES);
+      if (now == Screened::FAILS)
+        near.push_back(Candidate{i, number});
+    }
+    if (holds) {
+      note_velocity(s, i); /* by which its block is checked, too */
+      k++;
+    } else {
+      one = screens_.back();
+      screens_.pop_back();
+    }
+  }
 }

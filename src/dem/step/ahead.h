@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dem/setup.h"
-#include "dem/step/memory.h"
+#include "dem/step/screen.h"
 
 namespace asperity {
 
@@ -25,11 +25,11 @@ public:
   Ahead(const Setup &setup, const Memories &rows, bool are_bodies);
 
   void begin_run() {
-    travel_ = 0;
+    most_ = 0;
     clear();
   }
 
-  /* Discards all predictions, as after radii have changed. */
+  /* Discards all predictions, as after radii have changed; what is near stays so. */
   void clear();
 
   /* Discards predictions of atoms that changed index, and all of them if a wall does not repeat
@@ -55,9 +55,14 @@ public:
 
 private:
   float stray(const Spheres &spheres, int i) const;
+  void note_velocity(const Spheres &spheres, int i);
   bool look(const Spheres &spheres, int i);
   FaceList faces(const Spheres &spheres, int i, size_t shape) const;
   int steps_clear(const Spheres &spheres, int i) const;
+  bool is_wide(const Spheres &spheres, int i, int steps) const;
+  enum class Screened { NONE, FAILS, HOLDS };
+  Screened screen(const Spheres &spheres, int i, Screen &made) const;
+  void check_screens(const Spheres &spheres, int number, std::vector<Candidate> &near);
 
   const Setup &setup_;
   const Memories &rows_;
@@ -69,7 +74,8 @@ private:
   std::vector<float> v_;             /* rows of three */
   std::vector<float> stray_, least_; /* by which its velocity may differ; and of each block */
   std::vector<int64_t> tag_;         /* of whom this is */
-  double travel_;                    /* of a shape in a step, at most */
+  double travel_, most_;             /* of a shape in this step, and in any, at most */
+  std::vector<Screen> screens_;
 };
 
 } // namespace asperity

@@ -30,6 +30,10 @@ using namespace asperity;
 /* After so many contacts in a row that only slide, they change the path together. */
 static const int ALONE = 2;
 
+/* After so many they rise by more each time: the search knows their speed less well than it says.
+ */
+static const int ROUNDED = 4;
+
 /* How far a contact has moved the center out of the wall. */
 static double overlap(const Touch &touch) {
   double moved[3];
@@ -205,7 +209,8 @@ static bool slides(Flight &flight, const Touch &touch, int nth) {
       (fabs(touch.approach_speed) * left > SUM_ROUNDING * one.radius &&
        !rests_there(flight, touch)))
     return false;
-  const double rises = (1 + ROUNDING) * approach + SUM_ROUNDING * aspi_length(touch.before.v);
+  const double rounding = ldexp(SUM_ROUNDING, std::max(0, nth - ROUNDED));
+  const double rises = (1 + ROUNDING) * approach + rounding * aspi_length(touch.before.v);
   if (nth > ALONE)
     flight.slide(touch, rises);
   else
