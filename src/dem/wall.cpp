@@ -163,6 +163,7 @@ void Wall::reorder(const Spheres &s) {
     Load &load = rows.own(one.i).load;
     if (at.is_kept > 0 && books.is_in_step() && !(load.waits > 0)) {
       load.waits = 1;
+      rows.loaded[static_cast<size_t>(one.i)] = 1;
       aspi_copy(rows.state[one.i].force, load.force);
       aspi_scale(0.5, load.force); /* a half is over */
       aspi_copy(rows.state[one.i].point, load.point);

@@ -463,7 +463,7 @@ TEST(bodies_of_no_wall_stay) {
  */
 TEST(memories_come_back) {
   MoverState shown[2] = {};
-  Memories all = {shown, {}};
+  Memories all = {shown, {}, {}};
   double packed[PACKED_MOST], again[PACKED_MOST];
   all.grow(2);
   assert_true(all.pack(0, packed) == 1 && all.unpack(1, packed) == 1 && !all.find(1));

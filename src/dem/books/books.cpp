@@ -110,11 +110,17 @@ void Books::reorder(int n) {
   waiting_.clear();
   kept_ = Impulses();
   for (int i = 0; i < n; i++) {
+    char &any = rows_.loaded[static_cast<size_t>(i)];
+    if (!any)
+      continue;
     const Memory *of = rows_.find(i);
-    if (aspi_dot(rows_.state[i].force, rows_.state[i].force) > 0)
+    const bool shows = aspi_dot(rows_.state[i].force, rows_.state[i].force) > 0;
+    const bool waits = of && of->load.waits > 0;
+    if (shows)
       loaded_.push_back(i);
-    if (of && of->load.waits > 0)
+    if (waits)
       waiting_.push_back(i);
+    any = shows || waits;
   }
 }
 
@@ -220,6 +226,7 @@ void Books::drop_load(int i, const double x[3], const double v[3], double mass, 
 
 void Books::add_force(int i, const double p[3], const double point[3]) {
   double *force = rows_.state[i].force, *at = rows_.state[i].point;
+  rows_.loaded[static_cast<size_t>(i)] = 1;
   if (is_in_step_) {
     Load &load = rows_.own(i).load;
     if (!(load.waits > 0))

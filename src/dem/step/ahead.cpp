@@ -210,7 +210,8 @@ void Ahead::note_velocity(const Spheres &s, int i) {
 
 /* Makes a new prediction when the old one has expired; true if the particle may touch in this step.
  * (A prediction widens by the allowed stray distance in every step, so no particle may stray
- * farther in any of them: another particle could throw it back to the wall earlier.) */
+ * farther in any of them: another particle could throw it back to the wall earlier.) One that stays
+ * near, or moves less than its course widens, gets a screen where that holds. */
 bool Ahead::look(const Spheres &s, int i) {
   const double *v = s.v + 3 * static_cast<size_t>(i);
   int *due = &due_[i];

@@ -51,7 +51,7 @@ const size_t HEAD = sizeof(MemoryHead) / sizeof(double);
 } // namespace
 
 size_t Memories::bytes() const {
-  size_t all = memory.capacity() * sizeof memory[0];
+  size_t all = memory.capacity() * sizeof memory[0] + loaded.capacity();
   for (const std::unique_ptr<Memory> &of : memory)
     if (of) {
       Count count = {0};
@@ -65,6 +65,7 @@ void Memories::copy(int from, int to) {
   const std::unique_ptr<Memory> &of = memory[static_cast<size_t>(from)];
   if (from != to)
     memory[static_cast<size_t>(to)].reset(of ? new Memory(*of) : NULL);
+  loaded[static_cast<size_t>(to)] = loaded[static_cast<size_t>(from)];
 }
 
 void Memories::set_status(int i, Status now) {
@@ -94,6 +95,7 @@ int Memories::pack(int i, double *to) const {
 
 int Memories::unpack(int i, const double *from) {
   clear(i);
+  loaded[static_cast<size_t>(i)] = 1;
   if (from[0] > 1) {
     Memory &of = own(i);
     memcpy(static_cast<MemoryHead *>(&of), from + 1, sizeof(MemoryHead));
@@ -170,5 +172,6 @@ void BodyMemories::claim(const std::vector<int64_t> &tags, MPI_Comm world) {
   tags_ = tags;
   states_.swap(states);
   memory.swap(next.memory);
+  loaded.swap(next.loaded);
   state = states_.data();
 }

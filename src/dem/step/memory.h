@@ -106,6 +106,7 @@ struct Memory : MemoryHead {
 struct Memories {
   MoverState *state;
   std::vector<std::unique_ptr<Memory>> memory; /* NULL: nothing */
+  std::vector<char> loaded;                    /* not 0: it may have a force */
 
   Status status(int i) const {
     return static_cast<Status>(static_cast<int>(state[i].status));
@@ -151,6 +152,7 @@ struct Memories {
    * unpack return that. */
   void grow(int n) {
     memory.resize(static_cast<size_t>(n));
+    loaded.resize(static_cast<size_t>(n));
   }
   void copy(int from, int to);
   void clear(int i) {
