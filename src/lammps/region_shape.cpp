@@ -292,7 +292,6 @@ bool RegionShape::separate(const double x[3], double reach, const FaceList &stay
       Barrier *barrier = made.add();
       if (!barrier)
         return false;
-      *barrier = Barrier();
       barrier->part = foot.part;
       barrier->is_ball = !foot.convex;
       aspi_add_scaled(aside, -foot.distance, foot.n, point);
@@ -315,15 +314,15 @@ double RegionShape::gap(const Barriers &all, const double from[3], const double 
                         double radius) const {
   double least = HUGE_VAL;
   const Barrier *last;
-  for (const Barrier *first = all.begin(); first < all.end(); first = last) {
+  for (const Barrier *first = all.first; first < all.last; first = last) {
     const RegionPart &part = parts_[first->part];
-    for (last = first; last < all.end() && last->part == first->part;)
+    for (last = first; last < all.last && last->part == first->part;)
       last++;
     double begin[3], end[3];
     aspi_copy(from, begin);
     aspi_copy(to, end);
     const double bent = part.moves() ? part.see(begin, end) : 0;
-    least = std::min(least, least_gap(Barriers(first, last), begin, end) - bent);
+    least = std::min(least, least_gap(Barriers{first, last}, begin, end) - bent);
   }
   return least - apart(radius);
 }

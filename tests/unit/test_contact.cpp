@@ -11,21 +11,11 @@
 #include "dem/shapes/primitive.h"
 
 #include "check.h"
+#include "random.h"
 
 using namespace asperity;
 
 enum { SAMPLES = 2000, CASES = 1000 };
-
-static uint32_t state = 12345;
-static double uniform(double lo, double hi) {
-  state = static_cast<uint32_t>((static_cast<uint64_t>(state) * 48271) % 2147483647);
-  return lo + (hi - lo) * state / 2147483647.0;
-}
-
-static void random_vector(double size, double v[3]) {
-  for (int d = 0; d < 3; d++)
-    v[d] = uniform(-size, size);
-}
 
 static void at(const ContactPath *path, double time, double x[3]) {
   aspi_add_scaled(path->x, time, path->v, x);

@@ -11,22 +11,12 @@
 #include "update.h"
 #include "region_shape.h"
 
-#include "contact/vector.h"
+#include "barriers.h"
 
 using namespace LAMMPS_NS;
 using namespace asperity;
 
 namespace {
-
-uint32_t state = 20261129;
-double uniform(double lo, double hi) {
-  state = 1664525 * state + 1013904223;
-  return lo + (hi - lo) * state / 4294967296.0;
-}
-void random_vector(double size, double v[3]) {
-  for (int d = 0; d < 3; d++)
-    v[d] = uniform(-size, size);
-}
 
 const char *const BEGIN[] = {"clear",
                              "units si",
@@ -64,7 +54,7 @@ const char *const MOTIONS[] = {"", "move v_d NULL v_d", "rotate v_a 0.1 0.2 0 0.
 bool check_region(LAMMPS &lammps, const std::string &region, const std::string &motion) {
   const double dt = 0.1, radius = 0.2;
   const int rounds = 4000;
-  int before = 0, met = 0, wrong = 0;
+  BarrierCounts counts = BarrierCounts();
   for (const char *each : BEGIN)
     lammps.input->one(each);
   const bool has_parts = region[0] == 'u' || region[0] == 'i'; /* which move, then */
@@ -77,34 +67,15 @@ bool check_region(LAMMPS &lammps, const std::string &region, const std::string &
   shape.init();
   shape.setup();
   for (int round = 0; round < rounds; round++) {
-    double x[3], v[3], from[3];
     lammps.update->ntimestep++;
     shape.begin_step();
-    random_vector(1, x);
-    random_vector(0.5, v);
-    aspi_add_scaled(x, -dt, v, from);
-    BarrierList made;
-    made.count = 0;
-    const double way = dt * aspi_length(v) + shape.travel(dt);
-    if (!shape.separate(x, 1.01 * radius + way, FaceList(), made))
-      continue;
-    Path path;
-    Contact contact = Contact();
-    aspi_copy(from, path.x);
-    aspi_copy(v, path.v);
-    path.left = path.dt = dt;
-    path.rest = 0;
-    const bool is_before = made.count == 0 || shape.gap(Barriers(made.all, made.all + made.count),
-                                                        from, x, radius) >= 0;
-    const bool is_met = shape.find(path, radius, dt, contact);
-    before += made.count > 0 && is_before;
-    met += is_met;
-    wrong += is_met && is_before;
+    count_sphere(shape, radius, dt, counts);
   }
-  const bool right = wrong == 0 && (before > rounds / 50 || region.find("open") < region.size());
+  const bool right =
+      counts.both == 0 && (counts.before > rounds / 50 || region.find("open") < region.size());
   printf("%s %4d in front of barriers, %4d met, %d of both: %s %s\n", right ? "ok  " : "FAIL",
-         before, met, wrong, region.c_str(), motion.c_str());
-  return right && met > rounds / 50;
+         counts.before, counts.met, counts.both, region.c_str(), motion.c_str());
+  return right && counts.met > rounds / 50;
 }
 
 } // namespace

@@ -115,7 +115,6 @@ bool MeshShape::separate(const double x[3], double reach, const FaceList &stays,
       aspi_tree_separate(tree_.get(), at, reach, stays.face, stays.count, &near_, planes, room);
   for (int k = 0; k < count; k++) {
     Barrier *barrier = made.add();
-    *barrier = Barrier();
     aspi_copy(planes[k].n, barrier->n);
     barrier->at = planes[k].at;
   }

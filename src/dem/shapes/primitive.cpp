@@ -47,7 +47,6 @@ bool PlaneShape::separate(const double x[3], double reach, const FaceList &stays
   Barrier *barrier = made.add();
   if (!barrier)
     return false;
-  *barrier = Barrier();
   barrier->n[axis_] = off < 0 ? -1 : 1;
   barrier->at = barrier->n[axis_] * at_;
   return true;
@@ -112,7 +111,6 @@ bool CylinderShape::separate(const double x[3], double reach, const FaceList &,
   Barrier *barrier = made.add();
   if (!barrier)
     return false;
-  *barrier = Barrier();
   barrier->is_ball = off < radius_;
   if (barrier->is_ball)
     return true;
@@ -125,7 +123,7 @@ bool CylinderShape::separate(const double x[3], double reach, const FaceList &,
 
 double CylinderShape::gap(const Barriers &all, const double from[3], const double to[3],
                           double radius) const {
-  if (!all.begin()->is_ball)
+  if (!all.first->is_ball)
     return Shape::gap(all, from, to, radius);
   return radius_ - std::max(axis_distance(from), axis_distance(to)) - apart(radius);
 }

@@ -90,26 +90,34 @@ struct Barrier {
 };
 
 /* Those of one shape. */
-class Barriers {
-public:
-  Barriers(const Barrier *first, const Barrier *last) : first_(first), last_(last) {}
+struct Barriers {
+  const Barrier *first, *last;
   const Barrier *begin() const {
-    return first_;
+    return first;
   }
   const Barrier *end() const {
-    return last_;
+    return last;
   }
-
-private:
-  const Barrier *first_, *last_;
 };
 
 struct BarrierList {
   enum { MOST = 4 };
   int count;
   Barrier all[MOST];
+
+  /* A new one; NULL if there is no room. */
   Barrier *add() {
-    return count < MOST ? &all[count++] : NULL;
+    if (count == MOST)
+      return NULL;
+    all[count] = Barrier();
+    return &all[count++];
+  }
+  /* Those behind each other that are of one shape, from this one on. */
+  Barriers of(int first) const {
+    int last = first;
+    while (last < count && all[last].shape == all[first].shape)
+      last++;
+    return Barriers{all + first, all + last};
   }
 };
 

@@ -46,9 +46,6 @@ const int BLOCK = 32;
 /* Longest prediction, in steps. */
 const double AHEAD_MOST = 2048;
 
-/* A particle that rests looks this many radii ahead: many triangles are near. */
-const double RESTING_WAY = 0.25;
-
 /* The first predictions are of this many lengths, so that they do not all expire in one step. */
 const int LENGTHS = 8;
 
@@ -277,7 +274,7 @@ int Ahead::steps_clear(const Spheres &s, int i) const {
   course.reach = (1 + ROUNDING) * s.radius[i] + (course.widen - stray);
   if (!are_bodies_ && rows_.status(i) == Status::RESTING)
     course.most =
-        std::min(course.most, RESTING_WAY * s.radius[i] / (course.widen + aspi_length(course.v)));
+        std::min(course.most, Screen::range(s.radius[i]) / (course.widen + aspi_length(course.v)));
   for (size_t m = 0; m < setup_.shapes.size(); m++)
     course.most = setup_.shapes[m].shape->clear(course, faces(s, i, m));
   course.most *= 1 - ROUNDING;

@@ -12,7 +12,7 @@ using namespace asperity;
 
 namespace {
 
-/* Screen::range() in radii: many triangles may be near. */
+/* Screen::range() in radii. */
 const double RANGE = 0.25;
 
 /* The square of the distance of a point from the farther end of a way. */
@@ -59,12 +59,11 @@ bool Screen::holds(const Setup &setup, const Spheres &s, double travel) {
     return false;
   gap_ = 2 * left;
   aspi_copy(to, at_);
-  const Barrier *last, *const end = barriers_.all + barriers_.count;
-  for (const Barrier *first = barriers_.all; first < end; first = last) {
-    for (last = first; last < end && last->shape == first->shape;)
-      last++;
-    const Shape &shape = *setup.shapes[static_cast<size_t>(first->shape)].shape;
-    gap_ = std::min(gap_, shape.gap(Barriers(first, last), from, to, radius_));
+  for (int first = 0; first < barriers_.count;) {
+    const Barriers of = barriers_.of(first);
+    const Shape &shape = *setup.shapes[static_cast<size_t>(of.first->shape)].shape;
+    gap_ = std::min(gap_, shape.gap(of, from, to, radius_));
+    first = static_cast<int>(of.last - barriers_.all);
   }
   return gap_ >= 0;
 }

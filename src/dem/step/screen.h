@@ -14,7 +14,8 @@ class Screen {
 public:
   int i; /* of the particle */
 
-  /* How far a particle and the walls may move together before it is to be made anew. */
+  /* How far a particle and the walls may move together before it is to be made anew; and how far
+   * one that rests looks ahead: many triangles are near. */
   static double range(double radius);
 
   /* A screen around a particle, as yet in front of nothing. */
